@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import test, { after, before } from 'node:test';
 
-import { compare, inspect, smooth } from 'rakelight';
+import { compare, explain, inspect, smooth } from 'rakelight';
 
 import { drop, isSkipped, open, openExample, picture, settled, site, text } from './page_support.mjs';
 
@@ -135,7 +135,7 @@ test('what is no model gives one clear line, and the page keeps the model before
     const { page } = it;
     for (const [name, bytes, expected] of [['notes.txt', Buffer.from('hello'), /not a model that the page reads/], ['broken.glb', Buffer.from('glTF\x02\0\0\0\xff\xff\xff\xff', 'latin1'), /^broken\.glb: /]]) {
         await drop(page, { [name]: bytes });
-        const line = await text(page, 'message');
+        const line = await text(page, 'message-text');
         assert.match(line, expected);
         assert.ok(!line.includes('\n'));
         assert.match(await text(page, 'detail'), /two\.ply/);
@@ -181,17 +181,79 @@ test('a click explains a pixel with the numbers of the program', options, async 
     const { page } = it, box = await page.locator('#stage').boundingBox();
     await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
     await page.waitForSelector('#pixel:not([hidden])');
-    assert.match(await text(page, 'pixel-title'), /^Pixel \d+, \d+: \d+, \d+, \d+$/);
+    const [, x, y, ...codes] = (await text(page, 'pixel-title')).match(/^Pixel (\d+), (\d+): (\d+), (\d+), (\d+)$/).map(Number);
+    const bytes = await example('spot/spot_slab5.glb'), resolution = [Math.round(box.width), Math.round(box.height)];
+    const report = await explain(bytes, { resolution, pixel: [x, y], background: '#15171c', normals: 'object' });
+    assert.deepEqual(codes, report.rows[0].codes);
     const said = await text(page, 'pixel-text');
-    for (const words of ['shows object', 'Triangles that cover the pixel', 'sRGB code']) assert.ok(said.includes(words), words);
+    for (const words of ['shows object', 'Triangles that cover the pixel', `sRGB code  ${codes.join(' ')}`]) assert.ok(said.includes(words), words);
+});
+
+test('hard edges are drawn, and are fewer by an angle of 180 degrees', options, async () => {
+    const { page, url } = it;
+    await openExample(page, url, 'knight');
+    const without = await picture(page);
+    await page.check('#hard');
+    const byRule = await picture(page);
+    assert.ok(await psnr(without, byRule) < 45);
+    await page.click('#tab-look');
+    await page.selectOption('#set-crease', 'angle');
+    await page.locator('#set-crease-angle').evaluate(box => {
+        box.value = 180;
+        for (const type of ['input', 'change']) box.dispatchEvent(new Event(type));
+    });
+    assert.ok(await psnr(byRule, await picture(page)) < 45);
+    await page.selectOption('#set-crease', 'auto');
+    assert.equal(await psnr(byRule, await picture(page)), Infinity);
+    await page.uncheck('#hard');
+    assert.equal(await psnr(without, await picture(page)), Infinity);
+});
+
+test('settings of normals keep the camera, and Fix uses them', options, async () => {
+    const { page, url } = it;
+    await openExample(page, url, 'spot');
+    await page.click('#tab-seams');
+    await page.locator('#borders button').nth(1).click();
+    const near = await picture(page);
+    await page.click('#tab-look');
+    await page.selectOption('#set-weight', 'uniform');
+    await settled(page);
+    assert.ok(await psnr(near, await picture(page)) > 25, 'the eye stays');
+    await page.click('#fix');
+    await page.waitForSelector('#download:not([hidden])');
+    const { bytes } = await downloaded(page), own = await smooth(await example('spot/spot_slab5.glb'), { weight: 'uniform' });
+    assert.ok(bytes.equals(Buffer.from(own.bytes)));
+    await page.selectOption('#set-weight', 'auto');
+    await settled(page);
+    assert.equal(await text(page, 'headline'), 'Seams fixed', 'by the new settings');
+    await page.click('#whole');
+});
+
+test('a broken file takes nothing away from the model on the page', options, async () => {
+    const { page } = it;
+    await drop(page, { 'spot_slab5.glb': Buffer.from('glTF broken') });
+    assert.match(await text(page, 'message-text'), /^spot_slab5\.glb: /);
+    const { bytes } = await downloaded(page), own = await smooth(await example('spot/spot_slab5.glb'));
+    assert.ok(bytes.equals(Buffer.from(own.bytes)));
+});
+
+test('of two drops the later one counts', options, async () => {
+    const { page } = it, spot = await example('spot/spot_slab5.glb'), wall = await example('wall/wall.obj');
+    await Promise.all([drop(page, { 'first.glb': spot }), drop(page, { 'second.obj': wall })]);
+    await settled(page);
+    assert.match(await text(page, 'detail'), /^second\.obj: 1 object, 2 triangles$/);
 });
 
 test('a lost context comes back, and the picture with it', options, async () => {
-    const { page } = it, before = await picture(page);
+    const { page, url } = it;
+    await openExample(page, url, 'teapot');
+    const before = await picture(page);
     await page.evaluate(() => globalThis.rakelight.engine.call('loseContext'));
-    await page.waitForTimeout(500);
+    await page.locator('#stage canvas').press('0');
+    await settled(page);
+    assert.equal(await page.locator('#message').isVisible(), false);
     await page.evaluate(() => globalThis.rakelight.engine.call('restoreContext'));
-    await page.waitForTimeout(1500);
+    await page.waitForFunction(count => Number(document.querySelector('#stage canvas').dataset.pictures) > count, await page.evaluate(() => Number(document.querySelector('#stage canvas').dataset.pictures)));
     assert.equal(await psnr(before, await picture(page)), Infinity);
 });
 

@@ -41,6 +41,12 @@ void tell_progress(std::string_view stage, double share) {
     rl_tell_progress(last_stage.c_str(), share);
 }
 
+/// Whether the last rl_draw() drew a coarse picture, which a whole one follows.
+bool is_coarse = false;
+
+/// By the last rl_explain().
+std::shared_ptr<const ExplainedPixel> explained;
+
 /// What the last call gave. Stays until the next one.
 std::string& answer() {
     static std::string text;
@@ -113,6 +119,14 @@ EMSCRIPTEN_KEEPALIVE const char* rl_renderer() { return (answer() = page().rende
 EMSCRIPTEN_KEEPALIVE const char* rl_open(const char* file) { return inspected(file, &Page::open); }
 EMSCRIPTEN_KEEPALIVE const char* rl_open_fixed(const char* file) { return inspected(file, &Page::open_fixed); }
 
+/// The same model by the settings of now.
+EMSCRIPTEN_KEEPALIVE const char* rl_examine() {
+    return reported(InspectionRow(), [&](InspectionRow& to, Context& context) {
+        to.inspection = page().examine_again(context);
+        to.file = to.inspection->file;
+    });
+}
+
 EMSCRIPTEN_KEEPALIVE const char* rl_smooth(const char* output) {
     return reported(SmoothedFileRow(), [&](SmoothedFileRow& row, Context& context) {
         row.result = page().smooth(output, context);
@@ -128,10 +142,15 @@ EMSCRIPTEN_KEEPALIVE const char* rl_set(int half, int version, const char* chann
 /// @param line  [px] where the right half begins  @param marks  bits: 1 seams, 2 hard edges
 EMSCRIPTEN_KEEPALIVE const char* rl_draw(int width, int height, int line, int marks, int is_moving) {
     return checked([&](Context& context) {
-        page().draw(width, height, line, {(marks & 1) != 0, (marks & 2) != 0}, is_moving != 0, context);
+        is_coarse = false;
+        is_coarse = !page().draw(width, height, line, {(marks & 1) != 0, (marks & 2) != 0}, is_moving != 0, context);
     });
 }
-EMSCRIPTEN_KEEPALIVE const void* rl_soft_picture() { return page().soft_picture().data(); }
+EMSCRIPTEN_KEEPALIVE int rl_is_coarse() { return is_coarse; }
+/// The picture without OpenGL: sRGB codes, rows from the top.
+EMSCRIPTEN_KEEPALIVE const void* rl_soft_picture() { return page().soft_picture().codes.data(); }
+EMSCRIPTEN_KEEPALIVE int rl_soft_width() { return page().soft_picture().width; }
+EMSCRIPTEN_KEEPALIVE int rl_soft_height() { return page().soft_picture().height; }
 
 EMSCRIPTEN_KEEPALIVE const char* rl_turn(double dx, double dy) {
     return checked([&](Context&) { page().turn(dx, dy); });
@@ -148,6 +167,10 @@ EMSCRIPTEN_KEEPALIVE const char* rl_show_whole() {
 EMSCRIPTEN_KEEPALIVE const char* rl_fly_to_border(int border) {
     return checked([&](Context&) { page().fly_to_border(std::size_t(border)); });
 }
+/// @param share  0..1 of the way to that border
+EMSCRIPTEN_KEEPALIVE const char* rl_fly(double share) {
+    return checked([&](Context&) { page().fly(share); });
+}
 EMSCRIPTEN_KEEPALIVE const char* rl_end_raking_light() {
     return checked([](Context&) { page().end_raking_light(); });
 }
@@ -160,19 +183,16 @@ EMSCRIPTEN_KEEPALIVE int rl_heat_color(double degrees) {
     return code(c.x) << 16 | code(c.y) << 8 | code(c.z);
 }
 
-EMSCRIPTEN_KEEPALIVE const char* rl_explain(int half, int x, int y) {
-    return reported(ExplainRow{.x = x, .y = y},
-                    [&](ExplainRow& row, Context& context) { row.pixel = page().explain(half != 0, x, y, context); });
+/// @param width,height  [px] of the picture  @param x,y  [px] in it
+EMSCRIPTEN_KEEPALIVE const char* rl_explain(int half, int width, int height, int x, int y) {
+    explained.reset();
+    return reported(ExplainRow{.x = x, .y = y}, [&](ExplainRow& row, Context& context) {
+        row.pixel = explained = page().explain(half != 0, width, height, x, y, context);
+    });
 }
-/// The same as text, or "" where rl_explain() reports an error.
-EMSCRIPTEN_KEEPALIVE const char* rl_explain_text(int half, int x, int y) {
-    Context context({.threads = 1});
-    try {
-        answer() = to_text(*page().explain(half != 0, x, y, context));
-    } catch (...) {
-        answer().clear();
-    }
-    return answer().c_str();
+/// The same pixel as text; "" where rl_explain() reported an error.
+EMSCRIPTEN_KEEPALIVE const char* rl_explain_text() {
+    return (answer() = explained ? to_text(*explained) : std::string()).c_str();
 }
 
 }  // extern "C"

@@ -18,10 +18,15 @@ PrepareOptions as_measured(const Scene& scene, PrepareOptions options) {
 
 std::shared_ptr<const ExaminedModel> examine(const std::string& file, std::span<const WorldValue> settings,
                                              Context& context) {
-    auto examined = std::make_shared<ExaminedModel>();
     viewer::Start start;
     start.threads = 1;
-    examined->model = viewer::load_model(file, start, context);
+    return examine(viewer::load_model(file, start, context), settings, context);
+}
+
+std::shared_ptr<const ExaminedModel> examine(std::shared_ptr<const viewer::Model> model,
+                                             std::span<const WorldValue> settings, Context& context) {
+    auto examined = std::make_shared<ExaminedModel>();
+    examined->model = std::move(model);
     PictureRequest request = examined->model->request;
     read_render_keys(settings, request);
     InspectOptions options{.surfaces = false, .seam_lines = true};

@@ -20,6 +20,9 @@ struct ExaminedModel {
 };
 
 /// @param settings  keys of [render]: how creases and missing normals are found
+/// @throws Error as inspect()
+std::shared_ptr<const ExaminedModel> examine(std::shared_ptr<const viewer::Model> model,
+                                             std::span<const WorldValue> settings, Context& context);
 /// @throws Error as load() and inspect()
 std::shared_ptr<const ExaminedModel> examine(const std::string& file, std::span<const WorldValue> settings,
                                              Context& context);

@@ -8,7 +8,7 @@
 
 namespace rakelight::web {
 
-/// Edges of two faces with different normals, of each object by itself; at most `most`.
+/// Edges of two faces of one object whose normals differ; at most `most`.
 std::vector<Line> hard_edge_lines(const Scene& prepared, std::size_t most = 100'000);
 
 }  // namespace rakelight::web

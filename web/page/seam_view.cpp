@@ -25,10 +25,8 @@ void each_triangle(const Scene& scene, const std::function<void(std::uint32_t, c
             const Mesh& mesh = scene.meshes[m];
             for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
                 Triangle corners;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const vec3 p = mesh.positions[mesh.indices[3 * t + k]];
-                    corners[k] = transform_point(world[n], {p.x, p.y, p.z});
-                }
+                for (std::size_t k = 0; k < 3; ++k)
+                    corners[k] = viewer::position_in_world(world[n], mesh, mesh.indices[3 * t + k]);
                 call(m, corners);
             }
         }

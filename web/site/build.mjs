@@ -63,9 +63,10 @@ if (existsSync(join(docs, 'index.html'))) {
 const files = (await readdir(out, { recursive: true, withFileTypes: true })).filter(entry => entry.isFile())
     .map(entry => join(entry.parentPath, entry.name).slice(out.length + 1)).filter(name => !name.startsWith('examples/') && !name.startsWith('docs/')).sort();
 const hash = createHash('sha256');
-for (const name of files) hash.update(name).update(await readFile(join(out, name)));
+const examplesToKeep = ['spot/spot_slab5.glb', 'wall/wall.obj', 'wall/wall.mtl', 'wall/brick_height.png', 'wall/brick_normal.png'].map(name => `examples/${name}`);
+for (const name of [...files, ...(await readdir(join(out, 'examples'), { recursive: true, withFileTypes: true })).filter(entry => entry.isFile()).map(entry => join(entry.parentPath, entry.name).slice(out.length + 1)).sort()]) hash.update(name).update(await readFile(join(out, name)));
 await build({
     ...options, format: 'iife', outfile: join(out, 'sw.js'), entryPoints: [join(here, 'src/sw.ts')],
-    define: { files: JSON.stringify(['./', ...files]), version: JSON.stringify(hash.digest('hex').slice(0, 12)) },
+    define: { files: JSON.stringify(['./', ...files, ...examplesToKeep]), version: JSON.stringify(hash.digest('hex').slice(0, 12)) },
 });
 await writeFile(join(out, '.nojekyll'), '');

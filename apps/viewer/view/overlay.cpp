@@ -164,7 +164,7 @@ std::vector<Line> vertex_lines(const Scene& prepared, VertexVector which, const 
             if (!has(mesh)) continue;
             for (; next < number + mesh.positions.size(); next += step) {
                 const std::size_t v = next - number;
-                const dvec3 at = transform_point(world[n], mesh.origin + cast<double>(mesh.positions[v]));
+                const dvec3 at = position_in_world(world[n], mesh, v);
                 lines.push_back(
                     {at, at + vector_of(mesh, v, which, world[n]) * length, colors[std::size_t(which)], 1.2f});
             }

@@ -105,6 +105,10 @@ std::vector<dmat4> node_matrices(const Scene& scene) {
     return world;
 }
 
+dvec3 position_in_world(const dmat4& world, const Mesh& mesh, std::size_t vertex) {
+    return transform_point(world, mesh.origin + cast<double>(mesh.positions[vertex]));
+}
+
 struct ViewBox::Known {
     std::mutex mutex;
     std::optional<Scene> still;  ///< the scene without its clips: copying them takes as long as posing

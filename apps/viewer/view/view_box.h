@@ -17,6 +17,9 @@ namespace rakelight::viewer {
 /// Matrices node -> world, [nodes], by the pose of a scene that passed validate().
 std::vector<dmat4> node_matrices(const Scene& scene);
 
+/// [m] world. @param world  matrix of the node that places the mesh
+dvec3 position_in_world(const dmat4& world, const Mesh& mesh, std::size_t vertex);
+
 class ViewBox {
 public:
     ViewBox() = default;

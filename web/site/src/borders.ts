@@ -4,7 +4,7 @@ import type { InspectRow } from '../../npm/reports.js';
 import { get, make } from './elements.js';
 
 const mostListed = 200;
-const legendDegrees = [0.01, 0.1, 1, 5, 20, 60];
+const legendDegrees = [0.01, 1, 5, 20, 60];  // as in the heat maps of the program
 
 const angleText = (degrees: number): string => (degrees >= 0.095 ? degrees.toFixed(1) : degrees.toFixed(2)) + '°';
 
@@ -13,7 +13,8 @@ const plural = (count: number, one: string, many: string): string => `${count.to
 /** "12 borders, largest 32.7 degrees", in parts. */
 export function headline(row: InspectRow): { text: string; detail: string; hasSeams: boolean } {
     const { seams, objects, triangles } = row, detail = `${plural(objects.length, 'object', 'objects')}, ${plural(triangles, 'triangle', 'triangles')}`;
-    const open = row.borders.filter(border => border.seam_deg > seams.continuous_within_deg).length + row.borders_left_out;
+    const isOpen = (border: InspectRow['borders'][number] | undefined): boolean => border !== undefined && border.seam_deg > seams.continuous_within_deg;
+    const open = row.borders.filter(isOpen).length + (isOpen(row.borders.at(-1)) ? row.borders_left_out : 0);  // the worst are listed
     if (seams.missing_normals > 0) return { text: `${plural(seams.missing_normals, 'broken normal', 'broken normals')}, ${plural(open, 'border', 'borders')}, largest ${angleText(seams.seam_deg)}`, detail, hasSeams: true };
     if (open > 0) return { text: `${plural(open, 'border', 'borders')}, largest ${angleText(seams.seam_deg)}`, detail, hasSeams: true };
     return { text: seams.pairs > 0 ? `${plural(seams.pairs, 'border', 'borders')}, no seam` : 'no borders', detail, hasSeams: false };
@@ -42,11 +43,11 @@ export function listBorders(row: InspectRow, fly: (border: number) => void): voi
     get('more-borders').textContent = left > 0 ? `and ${plural(left, 'border', 'borders')} more` : '';
 }
 
-/** The colors of the heat map, by the square root of the angle's place in the list. */
+/** The colors of the heat map, in even steps from one angle of the list to the next. */
 export function drawLegend(colors: string[]): void {
     const stops = colors.map((color, i) => `${color} ${(100 * i / (colors.length - 1)).toFixed(1)}%`).join(', ');
     get('legend-colors').style.backgroundImage = `linear-gradient(to right, ${stops})`;
-    get('legend-words').replaceChildren(...legendDegrees.map(degrees => make('span', {}, `${degrees}°`)));
+    get('legend-words').replaceChildren(...legendDegrees.map(degrees => make('span', {}, `${degrees}°${degrees === legendDegrees.at(-1) ? '+' : ''}`)));
 }
 
 export const legendAngles = legendDegrees;

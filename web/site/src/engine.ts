@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The worker as the page calls it. A call that takes too long is broken off by ending the worker; a new one takes its place.
-import type { CallName, Calls, Fault, Message, Request } from './protocol.js';
+import type { CallName, Calls, ContextState, Fault, Message, Request } from './protocol.js';
 
 /** An error of a call, as the program reports it. */
 export class EngineError extends Error {
     override name = 'EngineError';
     constructor(readonly fault: Fault) {
-        const where = [fault.file.replace(/^\/(model|fixed)\//, ''), fault.place].filter(Boolean).join(': ');
+        const where = [fault.file.replace(/^\/(model|fixed)\/\d+\//, ''), fault.place].filter(Boolean).join(': ');
         super([where ? `${where}: ${fault.message}` : fault.message, fault.advice].filter(Boolean).join('; '));
     }
 }
@@ -22,7 +22,7 @@ interface Waiting {
 
 export interface EngineEvents {
     progress(stage: string, share: number): void;
-    context(isThere: boolean): void;
+    context(state: ContextState): void;
 }
 
 export class Engine {
@@ -33,6 +33,8 @@ export class Engine {
     constructor(private readonly events: EngineEvents) {
         this.restart();
     }
+
+    end(): void { this.#worker.terminate(); }
 
     /** Ends all calls, and begins anew. The canvas must be a new one then. */
     restart(): void {
@@ -55,7 +57,7 @@ export class Engine {
 
     #take(message: Message): void {
         if (message.kind === 'progress') return this.events.progress(message.stage, message.share);
-        if (message.kind === 'context') return this.events.context(message.isThere);
+        if (message.kind === 'context') return this.events.context(message.state);
         const waiting = this.#waiting.get(message.id);
         this.#waiting.delete(message.id);
         if (message.kind === 'result') waiting?.resolve(message.result);

@@ -5,6 +5,13 @@ import type { Model, ModelFile } from './protocol.js';
 /** The formats that the page reads, the most likely model first. */
 const endings = ['gltf', 'glb', 'obj', 'ply', 'stl', 'off'];
 
+/** What may lie beside it. Other files of a folder are left out. */
+const others = ['mtl', 'bin', 'png', 'jpg', 'jpeg', 'tga', 'bmp', 'hdr', 'webp', 'ktx2'];
+const mostBytes = 2e9;
+
+/** Of the dialog that chooses files. */
+export const accepted = [...endings, ...others].map(ending => `.${ending}`).join();
+
 const endingOf = (path: string): string => path.slice(path.lastIndexOf('.') + 1).toLowerCase();
 const depthOf = (path: string): number => path.split('/').length;
 
@@ -16,10 +23,12 @@ export function modelsIn(files: readonly ModelFile[]): string[] {
 
 /** @throws Error that says what is wrong */
 export function modelOf(files: readonly ModelFile[], name?: string): Model {
-    const first = name ?? modelsIn(files)[0];
-    if (first) return { name: first, files: [...files] };
-    const others = files.map(({ path }) => path).slice(0, 3).join(', ');
-    throw new Error(files.length === 0 ? 'there are no files' : `${others}: not a model that the page reads (GLB, glTF, OBJ, PLY, STL, OFF); convert it with the program rakelight`);
+    const first = name ?? modelsIn(files)[0], kept = files.filter(({ path }) => [...endings, ...others].includes(endingOf(path)));
+    const bytes = kept.reduce((sum, file) => sum + (file.bytes instanceof Blob ? file.bytes.size : file.bytes.byteLength), 0);
+    if (bytes > mostBytes) throw new Error(`the files have ${(bytes / 1e9).toFixed(1)} GB; the page takes at most ${mostBytes / 1e9}`);
+    if (first) return { name: first, files: kept };
+    const names = files.map(({ path }) => path).slice(0, 3).join(', ');
+    throw new Error(files.length === 0 ? 'there are no files' : `${names}: not a model that the page reads (GLB, glTF, OBJ, PLY, STL, OFF); convert it with the program rakelight`);
 }
 
 export const ofList = (list: Iterable<File>): ModelFile[] => [...list].map(file => ({ path: cleaned(file.webkitRelativePath || file.name), bytes: file }));

@@ -5,29 +5,38 @@ import { zipSync } from 'fflate';
 import type { InspectRow } from '../../npm/reports.js';
 import { drawLegend, headline, legendAngles, listBorders } from './borders.js';
 import { get, make } from './elements.js';
-import { Cancelled, Engine } from './engine.js';
+import { Cancelled, Engine, EngineError } from './engine.js';
 import { examples, filesOfExample } from './examples.js';
-import { dropped, modelOf, modelsIn, ofList } from './files.js';
+import { accepted, dropped, modelOf, modelsIn, ofList } from './files.js';
 import { showExplanation } from './pixel.js';
-import type { Model, Settings, Side } from './protocol.js';
+import type { ContextState, Model, ModelFile, Settings, Side } from './protocol.js';
 import { makePanel } from './settings.js';
 import { Stage } from './stage.js';
-import { rememberTheme, themeColor } from './theme.js';
+import { changeTheme, themeColor } from './theme.js';
 
 const docs = document.getElementById('docs') ? 'docs/' : '';  // '': the page was built without its documentation
 const slowAfterMs = 400;  // when a cancel button appears
+const flightMs = 450;
 const messageMs = 8000;   // how long a remark is shown; faults stay
 
-let shown: Model | undefined;
-let example: string | undefined;  // its name, for the link
-let report: InspectRow | undefined;
+/** What is on the page. */
+interface Shown {
+    model: Model;
+    report: InspectRow;
+    /** The name of the example, for the link. */
+    example?: string;
+}
+
+let shown: Shown | undefined;
 let isFixed = false;
+let opening = 0;   // models that were asked for so far: only the last one is shown
+let flights = 0;   // likewise
 let acting = 0;  // how much work runs that a visitor began
 let calls = 0;   // that are told of
 let hiding: ReturnType<typeof setTimeout> | undefined;
 
-const engine = new Engine({ progress: tellProgress, context: isThere => (isThere ? stage.draw() : undefined) });
-const stage = new Stage(engine, get('stage'), get('line'), { click: (side, x, y) => act(explain(side, x, y)), fault: tellFault, slow: tellSlow });
+const engine = new Engine({ progress: tellProgress, context: state => act(takeContext(state)) });
+const stage = new Stage(engine, get('stage'), get('line'), { click: (...place) => act(explain(...place)), fault: tellFault, slow: tellSlow });
 const panel = makePanel(group => act(apply(group)));
 
 /** Work that a visitor began. */
@@ -40,16 +49,19 @@ function act(work: Promise<unknown>): void {
 
 function tell(text: string, isFault = false): void {
     const box = get('message');
-    box.textContent = text;
+    box.hidden = text === '';  // before its text: what is hidden is not read out
+    box.setAttribute('role', isFault ? 'alert' : 'status');
     box.classList.toggle('fault', isFault);
-    box.hidden = text === '';
+    get('message-text').textContent = text;
     clearTimeout(hiding);
     if (!isFault) hiding = setTimeout(() => (box.hidden = true), messageMs);
 }
 
 function tellFault(fault: unknown): void {
-    if (fault instanceof Cancelled) return;
-    tell(fault instanceof Error ? fault.message : String(fault), true);
+    if (fault instanceof Cancelled || (fault instanceof DOMException && fault.name === 'AbortError')) return;
+    const message = fault instanceof Error ? fault.message : String(fault);
+    if (fault instanceof EngineError && fault.fault.code === 'crashed') return act(cancel().then(() => tell(message, true)));
+    tell(message, true);
 }
 
 const stages: Record<string, string> = { read: 'Reading', load: 'Loading', inspect: 'Looking for seams', smooth: 'Smoothing', prepare: 'Preparing', render: 'Drawing', upload: 'Uploading', write: 'Writing' };
@@ -83,67 +95,96 @@ async function busy<T>(text: string, work: () => Promise<T>): Promise<T> {
     }
 }
 
-// ---- the model
+// ---- the library
+
+let started: Promise<void>;
 
 async function start(): Promise<void> {
     const renderer = await engine.call('start', stage.renew());
-    document.body.dataset.renderer = renderer || 'soft';
-    get('renderer').textContent = renderer ? `drawn by ${renderer}` : 'drawn without WebGL, by the software rasterizer';
+    tellRenderer(renderer);
     drawLegend(await engine.call('heatColors', legendAngles));
     await applyAll();
 }
 
-const started = start();
-started.catch(tellFault);
+function tellRenderer(renderer: string): void {
+    document.body.dataset.renderer = renderer || 'soft';
+    get('renderer').textContent = renderer ? `drawn by ${renderer}` : 'drawn without WebGL, by the software rasterizer';
+}
+
+async function takeContext(state: ContextState): Promise<void> {
+    if (state === 'gone') {
+        await engine.call('useSoft', stage.renew());
+        tellRenderer('');
+    }
+    if (state !== 'lost') stage.draw();
+}
 
 /** What the page always sets: its own background. */
 const allSettings = (): Settings => ({ background: themeColor(), ...panel.settings() });
 
 async function applyAll(): Promise<void> {
-    const settings = allSettings(), second = panel.second();
+    const settings = allSettings(), second = panel.second(), line = get('line'), wasHidden = line.hidden;
     await engine.call('set', 'left', 'original', panel.channel(), settings);
     await engine.call('set', 'right', isFixed && !second ? 'fixed' : 'original', second ? '' : panel.channel(), second ? { ...settings, lighting: second } : settings);
     get('left-name').textContent = second ? 'as set' : 'before';
     get('right-name').textContent = second ?? 'after';
-    get('line').hidden = !report || !(isFixed || second);
-    if (get('line').hidden) stage.split = 1;
-    else if (stage.split === 1) stage.split = 0.5;
+    line.hidden = !shown || !(isFixed || second);
+    if (line.hidden) stage.split = 1;
+    else if (wasHidden) stage.split = 0.5;
     stage.draw();
     const link = panel.link();
-    if (example) link.set('model', example);
+    if (shown?.example) link.set('model', shown.example);
     history.replaceState(null, '', link.size > 0 ? `#${link}` : location.pathname + location.search);
 }
 
 async function apply(group: string): Promise<void> {
+    const of = shown, wasFixed = isFixed;
     try {
         await applyAll();
-        if (group !== 'Normals' || !shown || !report) return;
-        const wasFixed = isFixed;
-        await open(shown, false);
-        if (wasFixed) await fix();
+        if (group !== 'Normals' || !of) return;
+        const report = await busy('Looking for seams', () => engine.call('examine'));
+        if (of !== shown) return;
+        of.report = report;
+        isFixed = false;
+        if (wasFixed) return await fix();
+        await applyAll();
+        showReport(report);
     } catch (fault) {
         tellFault(fault);
     }
 }
 
-async function open(model: Model, isNew = true): Promise<void> {
-    await started;
-    const found = await busy('Reading', () => engine.call('open', model));
-    shown = model;
-    report = found;
+// ---- the model
+
+/** @param number  of `opening`: a model that was asked for later wins */
+async function open(model: Model, number: number, example?: string): Promise<boolean> {
+    const report = await busy('Starting', async () => {
+        await started;
+        return engine.call('open', model);
+    });
+    if (number !== opening) return false;
+    shown = example === undefined ? { model, report } : { model, report, example };
     isFixed = false;
-    stage.split = 1;
+    flights += 1;
+    get('end-raking').hidden = true;
     await applyAll();
-    showReport(found);
+    showReport(report);
     document.body.classList.add('open');
     stage.isOpen = true;
-    if (isNew) stage.spin();
-    const remarks = found.remarks.filter(({ remark }) => remark === 'warning' || remark === 'dropped');
+    const remarks = report.remarks.filter(({ remark }) => remark === 'warning' || remark === 'dropped');
     if (remarks.length > 0) tell(remarks.slice(0, 3).map(({ message }) => message).join('; '));
+    return true;
+}
+
+/** The first screen again. */
+function close(): void {
+    shown = undefined;
+    stage.isOpen = false;
+    document.body.classList.remove('open');
 }
 
 function showReport(row: InspectRow): void {
-    const { text, detail, hasSeams } = headline(row), name = shown?.name.replace(/^.*\//, '').replace(/^builtin:/, '') ?? '';
+    const { text, detail, hasSeams } = headline(row), name = shown?.model.name.replace(/^.*\//, '').replace(/^builtin:/, '') ?? '';
     get('headline').textContent = text;
     get('detail').textContent = `${name}: ${detail}`;
     get<HTMLButtonElement>('fix').hidden = isFixed;
@@ -154,26 +195,37 @@ function showReport(row: InspectRow): void {
 }
 
 async function fix(): Promise<void> {
+    const of = shown, hasFocus = document.activeElement === get('fix');
+    if (!of) return;
     try {
         const { smoothed, inspected } = await busy('Smoothing', () => engine.call('fix'));
+        if (of !== shown) return;
         isFixed = true;
         await applyAll();
-        const turned = smoothed.seams?.turned ?? 0, made = smoothed.meshes.filter(({ normals }) => normals === 'made').length;
-        showReport(report!);
-        const after = headline(inspected);
+        showReport(of.report);
+        const after = headline(inspected), { seams, meshes } = smoothed, made = meshes.filter(({ normals }) => normals === 'made').length;
         get('headline').textContent = after.hasSeams ? after.text : 'Seams fixed';
-        tell(smoothed.seams ? `${turned.toLocaleString('en')} of ${smoothed.seams.normals.toLocaleString('en')} normals turned` : `normals made for ${made} ${made === 1 ? 'part' : 'parts'}`);
+        if (hasFocus) get('download').focus();
+        tell(seams ? `${seams.turned.toLocaleString('en')} of ${seams.normals.toLocaleString('en')} normals turned` : `normals made for ${made} ${made === 1 ? 'part' : 'parts'}`);
     } catch (fault) {
         tellFault(fault);
     }
 }
 
+/** Moves the camera to a border, at once where motion is not wanted. */
 async function fly(border: number): Promise<void> {
     stage.stopSpinning();
+    flights += 1;
+    const number = flights, begin = performance.now(), isStill = matchMedia('(prefers-reduced-motion: reduce)').matches;
     try {
         await engine.call('flyToBorder', border);
         get('end-raking').hidden = false;
-        stage.draw();
+        for (let share = 0; share < 1 && number === flights;) {
+            share = isStill ? 1 : Math.min(1, (performance.now() - begin) / flightMs);
+            await engine.call('fly', share * share * (3 - 2 * share));
+            stage.draw(share < 1);
+            await new Promise(requestAnimationFrame);
+        }
     } catch (fault) {
         tellFault(fault);
     }
@@ -185,7 +237,7 @@ async function download(): Promise<void> {
         if (!first) throw new Error('there is nothing to download');
         if (files.length === 1) return save(first.path, new Blob([first.bytes]));
         const packed = zipSync(Object.fromEntries(files.map(({ path, bytes }) => [path, bytes])), { level: 0 });
-        save(`${(shown?.name ?? 'model').replace(/^.*\//, '').replace(/\.[^.]*$/, '')}.zip`, new Blob([packed], { type: 'application/zip' }));
+        save(`${(shown?.model.name ?? 'model').replace(/^.*\//, '').replace(/\.[^.]*$/, '')}.zip`, new Blob([packed], { type: 'application/zip' }));
     } catch (fault) {
         tellFault(fault);
     }
@@ -197,10 +249,10 @@ function save(name: string, content: Blob): void {
     setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
 
-async function explain(side: Side, x: number, y: number): Promise<void> {
-    if (!report) return;
+async function explain(...place: [Side, number, number, number, number]): Promise<void> {
+    if (!shown) return;
     try {
-        const explanation = await busy('Explaining', () => engine.call('explain', side, x, y));
+        const explanation = await busy('Explaining', () => engine.call('explain', ...place));
         showExplanation(explanation, docs);
         choose('pixel');
     } catch (fault) {
@@ -208,12 +260,22 @@ async function explain(side: Side, x: number, y: number): Promise<void> {
     }
 }
 
-/** Ends what runs. The model that was open is opened again. */
+let fetching = new AbortController();
+
+/** Ends what runs, by ending the worker. The model that was open is opened again, unless its picture is what takes too long. */
 async function cancel(): Promise<void> {
+    const before = calls > 0 ? shown : undefined;
+    fetching.abort();
+    fetching = new AbortController();
+    opening += 1;
+    isFixed = false;
+    close();
+    get('progress').hidden = true;
     engine.restart();
+    started = start();
     try {
-        await start();
-        if (shown) await open(shown, false);
+        await started;
+        if (before) await open(before.model, opening, before.example);
     } catch (fault) {
         tellFault(fault);
     }
@@ -221,29 +283,39 @@ async function cancel(): Promise<void> {
 
 // ---- what comes in
 
-async function take(files: Promise<Parameters<typeof modelsIn>[0]> | Parameters<typeof modelsIn>[0], name?: string): Promise<void> {
+/** @param name  of one of several models */
+async function take(files: Promise<ModelFile[]> | ModelFile[], name?: string): Promise<void> {
+    opening += 1;
+    const number = opening;
     try {
-        const all = await files, models = modelsIn(all);
-        const box = get<HTMLSelectElement>('models');
-        example = undefined;
-        box.replaceChildren(...models.map(path => make('option', { value: path }, path)));
-        box.hidden = models.length < 2;
-        box.onchange = () => act(take(all, box.value));
-        if (name) box.value = name;
-        await open(modelOf(all, name));
+        const all = await files;
+        if (number !== opening || !await open(modelOf(all, name), number)) return;
+        showModels(all, name);
+        stage.spin();
     } catch (fault) {
-        tellFault(fault);
+        if (number === opening) tellFault(fault);
     }
 }
 
+/** A choice of the models in a folder. */
+function showModels(files: ModelFile[], name?: string): void {
+    const models = modelsIn(files), box = get<HTMLSelectElement>('models');
+    box.replaceChildren(...models.map(path => make('option', { value: path }, path)));
+    box.hidden = models.length < 2;
+    box.onchange = () => act(take(files, box.value));
+    if (name) box.value = name;
+}
+
 async function takeExample(name: string): Promise<void> {
+    opening += 1;
+    const number = opening;
     try {
-        const files = await busy('Fetching', () => filesOfExample(name));
-        get('models').hidden = true;
-        example = name;
-        await open(files);
+        const model = await busy('Fetching', () => filesOfExample(name, fetching.signal));
+        if (number !== opening || !await open(model, number, name)) return;
+        showModels([]);
+        stage.spin();
     } catch (fault) {
-        tellFault(fault);
+        if (number === opening) tellFault(fault);
     }
 }
 
@@ -289,6 +361,8 @@ function listen(): void {
             get(`tab-${next}`).focus();
         });
     });
+    get('close-message').addEventListener('click', () => tell(''));
+    get<HTMLInputElement>('file').accept = accepted;
     get('fix').addEventListener('click', () => act(fix()));
     get('download').addEventListener('click', () => act(download()));
     get('cancel').addEventListener('click', () => act(cancel()));
@@ -297,6 +371,7 @@ function listen(): void {
         act(engine.call('endRakingLight').then(() => stage.draw(), tellFault));
     });
     get('whole').addEventListener('click', () => {
+        flights += 1;
         get('end-raking').hidden = true;
         stage.showWhole();
     });
@@ -319,12 +394,14 @@ function listen(): void {
         button.addEventListener('click', () => act(takeExample(name)));
         get('examples').append(make('li', {}, button));
     }
-    rememberTheme(get('theme'), () => act(applyAll().catch(tellFault)));
+    changeTheme(get('theme'), () => act(applyAll().catch(tellFault)));
     listenToDrops();
 }
 
 listen();
 stage.seams = true;
+started = start();
+started.catch(tellFault);
 // For tests, and for who looks into the page.
 Object.assign(globalThis, { rakelight: { engine, stage, isIdle: () => acting === 0 && stage.isIdle } });
 const wanted = new URLSearchParams(location.hash.slice(1)).get('model');

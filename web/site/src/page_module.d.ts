@@ -10,7 +10,7 @@ interface FileSystem {
     unlink(path: string): void;
     rmdir(path: string): void;
     mkdirTree(path: string): void;
-    writeFile(path: string, bytes: Uint8Array): void;
+    writeFile(path: string, bytes: Uint8Array, options: { canOwn: boolean }): void;
     readFile(path: string): Uint8Array<ArrayBuffer>;
     chdir(path: string): void;
 }
@@ -28,6 +28,14 @@ export interface PageModule {
         getContext(context: number): { GLctx: WebGL2RenderingContext };
         makeContextCurrent(context: number): boolean;
         deleteContext(context: number): void;
+        /** By their names; null: free. */
+        buffers: unknown[];
+        textures: unknown[];
+        programs: unknown[];
+        framebuffers: unknown[];
+        renderbuffers: unknown[];
+        vaos: unknown[];
+        samplers: unknown[];
     };
     HEAPU8: Uint8Array<ArrayBuffer>;
     decoders?: Decoders;

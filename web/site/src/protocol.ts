@@ -34,34 +34,48 @@ export interface Explanation {
     text: string;
 }
 
+export interface Drawn {
+    /** [ms] */
+    took: number;
+    /** The picture is a first one, coarse; the next call draws the whole one. */
+    isCoarse: boolean;
+}
+
 /** The calls that the worker answers. */
 export interface Calls {
     /** @returns what draws: the name of the GPU, or '' for the engine soft */
     start(canvas: OffscreenCanvas): string;
+    /** Draws into another canvas from now on, without WebGL. */
+    useSoft(canvas: OffscreenCanvas): void;
+    /** On errors the model before stays. */
     open(model: Model): InspectRow;
+    /** The same model by the settings of now; what fix() made is forgotten. */
+    examine(): InspectRow;
     /** Smooths the model; the right picture shows the result then. */
     fix(): { smoothed: SmoothRow; inspected: InspectRow };
     /** All files that fix() wrote. */
     fixedFiles(): Array<{ path: string; bytes: Uint8Array<ArrayBuffer> }>;
     /** @param channel  shown instead of the colors; '': colors */
     set(side: Side, version: Version, channel: string, settings: Settings): void;
-    /** @returns [ms] how long it took */
-    draw(view: View): number;
+    draw(view: View): Drawn;
     /** Of the picture's smaller side: half a turn for all of it. */
     turn(dx: number, dy: number): void;
     /** Of the picture's height. */
     pan(dx: number, dy: number): void;
     dolly(factor: number): void;
     showWhole(): void;
+    /** Puts a light there that grazes the surface. fly() leads to it. */
     flyToBorder(border: number): void;
+    /** @param share  0..1 of the way */
+    fly(share: number): void;
     endRakingLight(): void;
-    /** [px] of the canvas */
-    explain(side: Side, x: number, y: number): Explanation;
+    /** [px] of the picture, and in it */
+    explain(side: Side, width: number, height: number, x: number, y: number): Explanation;
     /** CSS colors of the heat map. */
     heatColors(degrees: number[]): string[];
-    /** [bytes] that the library holds. */
-    memory(): number;
-    /** For tests: takes the context away and gives it back. */
+
+    // For tests: what the worker holds, and a context that is taken away and given back.
+    memory(): { bytes: number; files: number; objects: number };
     loseContext(): void;
     restoreContext(): void;
 }
@@ -87,5 +101,7 @@ export type Message =
     | { kind: 'result'; id: number; result: unknown }
     | { kind: 'fault'; id: number; fault: Fault }
     | { kind: 'progress'; stage: string; share: number }
-    /** The context was lost, or is there again: the picture must be drawn. */
-    | { kind: 'context'; isThere: boolean };
+    /** The context of WebGL was lost; is there again, and the picture must be drawn; is gone, and only useSoft() helps. */
+    | { kind: 'context'; state: ContextState };
+
+export type ContextState = 'lost' | 'there' | 'gone';

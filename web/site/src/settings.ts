@@ -96,8 +96,7 @@ export function makePanel(change: (group: Group) => void): Panel {
         groupOf(group).append(row);
     };
     add('Light', 'lights', 'Light', 'A light that grazes the surface shows every seam.', lights.map(([word, text]) => [word, text] as const));
-    for (const { group, key, title, hint, words } of choices.filter(({ group }) => group === 'Surface')) add(group, key, title, hint, words);
-    for (const { group, key, title, hint, words } of choices.filter(({ group }) => group === 'Normals')) add(group, key, title, hint, words);
+    for (const { group, key, title, hint, words } of choices) add(group, key, title, hint, words);
     for (const { key, title, hint, unit, from, to, step, usual } of numbers) {
         const id = `set-${key}`, box = make('input', { id, type: 'range', min: String(from), max: String(to), step: String(step), 'aria-describedby': `${id}-hint` }), shown = make('output', { for: id });
         box.value = wanted.get(key) ?? String(usual);
@@ -129,6 +128,7 @@ export function makePanel(change: (group: Group) => void): Panel {
         },
         channel: () => values.get('channel') ?? '',
         second: () => values.get('second') || undefined,
-        link: () => new URLSearchParams([...values].filter(([key, value]) => linkKeys.has(key) && !isUsual(key, value))),
+        link: () => new URLSearchParams([...values].filter(([key, value]) =>
+            linkKeys.has(key) && !isUsual(key, value) && (key !== 'crease-angle' || values.get('crease') === 'angle'))),
     };
 }

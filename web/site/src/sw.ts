@@ -4,17 +4,18 @@ declare const files: string[];  // set by the build
 declare const version: string;  // a hash of them
 
 const worker = self as unknown as ServiceWorkerGlobalScope;
-const name = `rakelight-${version}`;
+const own = `rakelight ${worker.registration.scope} `, name = own + version;  // several copies may lie on one host
 
-worker.addEventListener('install', event => event.waitUntil(caches.open(name).then(cache => cache.addAll(files)).then(() => worker.skipWaiting())));
+worker.addEventListener('install', event => event.waitUntil(caches.open(name).then(cache => cache.addAll(files.map(file => new Request(file, { cache: 'reload' }))))));
 
 worker.addEventListener('activate', event => event.waitUntil((async () => {
-    for (const other of await caches.keys()) if (other.startsWith('rakelight-') && other !== name) await caches.delete(other);
+    for (const other of await caches.keys()) if (other.startsWith(own) && other !== name) await caches.delete(other);
     await worker.clients.claim();
 })()));
 
 worker.addEventListener('fetch', event => {
     const { request } = event;
+    if (!request.url.startsWith(worker.registration.scope)) return;
     if (request.method !== 'GET' || new URL(request.url).origin !== location.origin) return;
     event.respondWith((async () => {
         const cache = await caches.open(name), kept = await cache.match(request, { ignoreSearch: true });

@@ -8,7 +8,7 @@ const isDark = (): boolean => (document.documentElement.dataset.theme ?? (dark.m
 export const themeColor = (): string => (isDark() ? '#15171c' : '#e9ecf1');
 
 /** @param button  changes the theme  @param change  called when it is another one */
-export function rememberTheme(button: HTMLElement, change: () => void): void {
+export function changeTheme(button: HTMLElement, change: () => void): void {
     button.addEventListener('click', () => {
         document.documentElement.dataset.theme = isDark() ? 'light' : 'dark';
         change();

@@ -11,16 +11,25 @@ class Failure extends Error {
     }
 }
 
-const folder = '/model', fixedFolder = '/fixed';
 const endings = ['gltf', 'glb', 'obj', 'ply'];  // that fix() keeps; others become GLB
+const goneAfterMs = 5000;                      // a lost context is not waited for any longer
+
+/** A model in memory: its files, and those that fix() writes, each in a folder of its own. */
+interface Opened {
+    name: string;
+    folder: string;
+    fixed: string;
+}
 
 let module: PageModule;
 let canvas: OffscreenCanvas;
 let context = 0;  // of WebGL; 0: the engine soft draws
-let current: Model | undefined;
-let scaled: OffscreenCanvas | undefined;  // of coarse pictures
+let isLost = false;
 let loserOfContext: WEBGL_lose_context | null = null;
 let pen: OffscreenCanvasRenderingContext2D | undefined;  // without WebGL
+let scaled: OffscreenCanvas | undefined;                 // the picture of the engine soft, as large as it is
+let current: Opened | undefined;
+let opened = 0;  // models so far
 
 const post = (message: Message, transfer: Transferable[] = []): void => self.postMessage(message, { transfer });
 
@@ -53,16 +62,27 @@ const settingsText = (settings: Settings): string =>
 
 const attributes = { majorVersion: 2, minorVersion: 0, alpha: false, depth: false, stencil: false, antialias: false, preserveDrawingBuffer: false, powerPreference: 'high-performance' };
 
+/** Whether the engine gl can draw here. A canvas that once had WebGL has no other context. */
+function hasWebGL(): boolean {
+    const probe = new OffscreenCanvas(1, 1).getContext('webgl2'), can = Boolean(probe?.getExtension('EXT_color_buffer_float'));
+    probe?.getExtension('WEBGL_lose_context')?.loseContext();
+    return can;
+}
+
+/** @throws Failure: OpenGL does not begin, and the canvas is of no more use */
 function startContext(): void {
     context = module.GL.createContext(canvas, attributes);
-    if (!context) return;
+    if (!context) return post({ kind: 'context', state: 'gone' });
     module.GL.makeContextCurrent(context);
-    module.GL.getContext(context).GLctx.getExtension('WEBGL_debug_renderer_info');  // Firefox: no second canvas.getContext()
-    loserOfContext = module.GL.getContext(context).GLctx.getExtension('WEBGL_lose_context');
+    const { GLctx } = module.GL.getContext(context);  // Firefox: no second canvas.getContext()
+    GLctx.getExtension('WEBGL_debug_renderer_info');
+    loserOfContext = GLctx.getExtension('WEBGL_lose_context');
     try {
         run('rl_start_gl');
-    } catch {
+    } catch (fault) {
         endContext();
+        post({ kind: 'context', state: 'gone' });
+        throw fault;
     }
 }
 
@@ -74,14 +94,21 @@ function endContext(): void {
 }
 
 function watchContext(): void {
-    canvas.addEventListener('webglcontextlost', event => {
+    const own = canvas;
+    own.addEventListener('webglcontextlost', event => {
         event.preventDefault();  // so that it comes back
         endContext();
-        post({ kind: 'context', isThere: false });
+        isLost = true;
+        post({ kind: 'context', state: 'lost' });
+        setTimeout(() => {
+            if (isLost && canvas === own) post({ kind: 'context', state: 'gone' });
+        }, goneAfterMs);
     });
-    canvas.addEventListener('webglcontextrestored', () => {
+    own.addEventListener('webglcontextrestored', () => {
+        if (canvas !== own) return;
+        isLost = false;
         startContext();
-        post({ kind: 'context', isThere: true });
+        post({ kind: 'context', state: 'there' });
     });
 }
 
@@ -104,40 +131,42 @@ function filesBelow(place: string, below = ''): Array<{ path: string; bytes: Uin
     });
 }
 
-async function writeFiles(model: Model): Promise<void> {
-    module.FS.chdir('/');
-    removeFolder(folder);
-    removeFolder(fixedFolder);
+async function writeFiles(folder: string, model: Model): Promise<void> {
     module.FS.mkdirTree(folder);
-    module.FS.mkdirTree(fixedFolder);
     let at = 0;
     for (const { path, bytes } of model.files) {
         post({ kind: 'progress', stage: 'read', share: at++ / model.files.length });
         const place = `${folder}/${path}`;
         module.FS.mkdirTree(place.slice(0, place.lastIndexOf('/')));
-        module.FS.writeFile(place, new Uint8Array(bytes instanceof Blob ? await bytes.arrayBuffer() : bytes));
+        module.FS.writeFile(place, new Uint8Array(bytes instanceof Blob ? await bytes.arrayBuffer() : bytes), { canOwn: true });
     }
-    module.FS.chdir(folder);
+}
+
+function removeFiles({ folder, fixed }: Opened): void {
+    removeFolder(folder);
+    removeFolder(fixed);
 }
 
 /** Where a decoder is missing, it is loaded, and the call is made again. */
 async function withDecoders<T>(call: () => T): Promise<T> {
-    try {
-        return call();
-    } catch (fault) {
-        const missing = module.missingDecoder;
-        if (!missing || module.decoders?.[missing]) throw fault;
-        module.decoders = { ...module.decoders, [missing]: await decoderFor(missing) };
-        return call();
-    }
+    for (;;)
+        try {
+            return call();
+        } catch (fault) {
+            const missing = module.missingDecoder;
+            if (!missing || module.decoders?.[missing]) throw fault;
+            module.decoders = { ...module.decoders, [missing]: await decoderFor(missing) };
+        }
+}
+
+function callDraw(view: View): void {
+    run('rl_draw', view.width, view.height, Math.round(view.split * view.width), marksOf(view), view.isMoving ? 1 : 0);
 }
 
 function drawSoft(view: View): void {
     pen ??= canvas.getContext('2d')!;
-    const coarser = view.isMoving ? 3 : 1;
-    const width = Math.max(1, Math.round(view.width / coarser)), height = Math.max(1, Math.round(view.height / coarser));
-    run('rl_draw', width, height, Math.round(view.split * width), marksOf(view), view.isMoving ? 1 : 0);
-    const at = module.ccall('rl_soft_picture', 'number', [], []) as number;
+    callDraw(view);
+    const [at, width, height] = ['rl_soft_picture', 'rl_soft_width', 'rl_soft_height'].map(name => module.ccall(name, 'number', [], []) as number) as [number, number, number];
     const codes = new Uint8ClampedArray(module.HEAPU8.slice(at, at + 4 * width * height).buffer);
     scaled ??= new OffscreenCanvas(width, height);
     scaled.width = width;
@@ -155,51 +184,82 @@ const calls: { [name in CallName]: (...given: Parameters<Calls[name]>) => Return
     async start(offscreen) {
         canvas = offscreen;
         module = await makeModule({ onProgress: (stage, share) => post({ kind: 'progress', stage, share }) });
-        startContext();
+        if (hasWebGL()) startContext();
         if (context) watchContext();
         return text('rl_renderer');
     },
+    useSoft(offscreen) {
+        canvas = offscreen;
+        pen = undefined;
+        isLost = false;
+    },
     async open(model) {
-        await writeFiles(model);
-        const inspected = await withDecoders(() => row<InspectRow>('rl_open', model.name));
-        current = model;
-        return inspected;
+        opened += 1;
+        const folder = `/model/${opened}`, next: Opened = { name: model.name, folder, fixed: `/fixed/${opened}` };
+        try {
+            await writeFiles(folder, model);
+            module.FS.chdir(folder);  // where settings find files
+            const inspected = await withDecoders(() => row<InspectRow>('rl_open', model.name.startsWith('builtin:') ? model.name : `${folder}/${model.name}`));
+            if (current) removeFiles(current);
+            current = next;
+            return inspected;
+        } catch (fault) {
+            module.FS.chdir(current?.folder ?? '/');
+            removeFiles(next);
+            throw fault;
+        }
+    },
+    examine() {
+        if (current) removeFolder(current.fixed);
+        return row<InspectRow>('rl_examine');
     },
     fix() {
-        const name = current!.name.replace(/^builtin:([a-z]+).*$/, '$1.glb').replace(/^.*\//, '');
+        const { name: path, fixed } = current!, name = path.replace(/^builtin:([a-z]+).*$/, '$1.glb').replace(/^.*\//, '');
         const ending = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
-        removeFolder(fixedFolder);
-        module.FS.mkdirTree(fixedFolder);
-        const output = `${fixedFolder}/${endings.includes(ending) ? name : `${name.replace(/\.[^.]*$/, '')}.glb`}`;
+        removeFolder(fixed);
+        module.FS.mkdirTree(fixed);
+        const output = `${fixed}/${endings.includes(ending) ? name : `${name.replace(/\.[^.]*$/, '')}.glb`}`;
         const smoothed = row<SmoothRow>('rl_smooth', output);
         return { smoothed, inspected: row<InspectRow>('rl_open_fixed', output) };
     },
-    fixedFiles: () => filesBelow(fixedFolder),
+    fixedFiles: () => (current && module.FS.analyzePath(current.fixed).exists ? filesBelow(current.fixed) : []),
     set: (side, version, channel, settings) => run('rl_set', sideNumber(side), versionNumber(version), channel, settingsText(settings)),
     draw(view) {
         const begin = performance.now();
         if (canvas.width !== view.width) canvas.width = view.width;
         if (canvas.height !== view.height) canvas.height = view.height;
-        if (context) run('rl_draw', view.width, view.height, Math.round(view.split * view.width), marksOf(view), view.isMoving ? 1 : 0);
-        else drawSoft(view);
-        return performance.now() - begin;
+        if (context) callDraw(view);
+        else if (!isLost) drawSoft(view);
+        return { took: performance.now() - begin, isCoarse: module.ccall('rl_is_coarse', 'number', [], []) === 1 };
     },
     turn: (dx, dy) => run('rl_turn', dx, dy),
     pan: (dx, dy) => run('rl_pan', dx, dy),
     dolly: factor => run('rl_dolly', factor),
     showWhole: () => run('rl_show_whole'),
     flyToBorder: border => run('rl_fly_to_border', border),
+    fly: share => run('rl_fly', share),
     endRakingLight: () => run('rl_end_raking_light'),
-    explain: (side, x, y) => ({ row: row<ExplainRow>('rl_explain', sideNumber(side), x, y), text: text('rl_explain_text', sideNumber(side), x, y) }),
+    explain(side, width, height, x, y) {
+        const explained = row<ExplainRow>('rl_explain', sideNumber(side), width, height, x, y);
+        return { row: explained, text: text('rl_explain_text') };
+    },
     heatColors: degrees => degrees.map(angle => `#${(module.ccall('rl_heat_color', 'number', ['number'], [angle]) as number).toString(16).padStart(6, '0')}`),
-    memory: () => module.HEAPU8.byteLength,
+    memory: () => ({ bytes: module.HEAPU8.byteLength, files: filesBelow('/model').length + filesBelow('/fixed').length, objects: objectCount() }),
     loseContext: () => loserOfContext?.loseContext(),
     restoreContext: () => loserOfContext?.restoreContext(),
 };
 
+/** Names of OpenGL that are in use. */
+function objectCount(): number {
+    const { buffers, textures, programs, framebuffers, renderbuffers, vaos, samplers } = module.GL;
+    return [buffers, textures, programs, framebuffers, renderbuffers, vaos, samplers].reduce((sum, names) => sum + names.filter(Boolean).length, 0);
+}
+
 /** What is no error of the library's. Errors of files in memory are plain objects. */
 function outside(fault: unknown): Fault {
     const { message, errno } = fault as { message?: string; errno?: number };
+    if (fault instanceof WebAssembly.RuntimeError || fault instanceof RangeError)
+        return { message: `the library stopped (${message ?? ''}) and was started again: the model may need more memory than a browser gives`, file: '', place: '', advice: '', code: 'crashed' };
     return { message: message ?? (errno === undefined ? String(fault) : `the files cannot be kept in memory (error ${errno})`), file: '', place: '', advice: '', code: 'failed' };
 }
 

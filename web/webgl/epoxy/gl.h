@@ -17,10 +17,6 @@
 #define GL_TIME_ELAPSED 0x88BF
 #define GL_ZERO_TO_ONE 0x935F
 
-/// Browsers give the name of the GPU under another one, after WEBGL_debug_renderer_info was asked for.
-#undef GL_RENDERER
-#define GL_RENDERER 0x9246
-
 extern "C" void glClipControlEXT(GLenum origin, GLenum depth);
 inline void glClipControl(GLenum origin, GLenum depth) { glClipControlEXT(origin, depth); }
 inline void glPolygonMode(GLenum, GLenum) {}
@@ -39,3 +35,11 @@ inline bool epoxy_has_gl_extension(const char* name) {
     }
     return false;
 }
+
+/// Browsers give the name of the GPU under another constant, once WEBGL_debug_renderer_info was asked for, if at all.
+inline const GLubyte* rl_webgl_string(GLenum name) {
+    constexpr GLenum unmasked_renderer = 0x9246;
+    const bool is_told = name == GL_RENDERER && epoxy_has_gl_extension("GL_WEBGL_debug_renderer_info");
+    return glGetString(is_told ? unmasked_renderer : name);
+}
+#define glGetString rl_webgl_string
