@@ -7,6 +7,7 @@
 - the comment at the head of a file is about the file;
 - arrays of a channel lead to the channel's bit, `using` to what it stands for;
 - begin(), size() and the like, copies, moves, comparison and element access are what they are everywhere."""
+import pathlib
 import re
 import sys
 
@@ -19,6 +20,10 @@ ARITHMETIC = re.compile(r"^(?:constexpr |inline )?\S+(?: |& )operator[-+*/]=?\(.
 USING = re.compile(r"^using \w+ = (?P<type>[A-Z]\w+)<")
 WORDS = re.compile(r"^inline constexpr Word<(?P<type>\w+)> \w+\[\]")
 OURS = re.compile(r"\b([A-Z]\w+)(?:::\w+)?\b")
+
+
+ENGINE = pathlib.Path(__file__).resolve().parents[2] / "include/rakelight/engines/engine.h"
+CHANNELS = set(re.findall(r"\bchannel_(\w+) = 1u", ENGINE.read_text(encoding="utf-8")))
 
 
 def split(text):
@@ -72,7 +77,7 @@ def name_of(declaration):
     return re.search(r"([a-z_]\w*)\s*(?:$|[={\[;])", declaration)[1]
 
 
-def own_comment(line, kind, single, channels):
+def own_comment(line, kind, single):
     """The comment of each declaration of a line that has none; None where a reader has to be told."""
     ours = OURS.search(kind) if kind else None
     meant = USING.match(line) or WORDS.match(line)
@@ -82,13 +87,13 @@ def own_comment(line, kind, single, channels):
         return ["Arithmetic of linear algebra."]
     if meant:
         return [f"{'Words of' if 'Word<' in line else 'See'} {meant['type']}."]
-    if kind and name_of(single[0]) in channels:
+    if kind and name_of(single[0]) in CHANNELS:
         return [f"See channel_{name_of(part)}." for part in single]
     return [f"See {ours[1]}."] * len(single) if ours else None
 
 
 def filtered(text):
-    above, channels = [], set(re.findall(r"\bchannel_(\w+) = 1u", text))
+    above = []
     for line in joined(head(text.split("\n"))):
         if re.match(r"\s*///(?!<)", line):
             above.append(re.sub(r"^\s*///\s?", "", line))
@@ -97,7 +102,7 @@ def filtered(text):
         trailing = TRAILING.match(line)
         code, comment = (trailing["code"], trailing["text"]) if trailing else (line, " ".join(above))
         kind, single = fields(code)
-        own = None if comment else own_comment(line, kind, single, channels)
+        own = None if comment else own_comment(line, kind, single)
         if OBVIOUS.match(line):
             yield "" if line.rstrip().endswith((";", "}")) else f"/** Copies, moves or compares. */ {line.strip()}"
         elif own or (comment and len(single) > 1):

@@ -256,7 +256,7 @@ struct RenderSettings {
 /// A uniform that a user-defined shader declares.
 struct DeclaredUniform {
     ShaderUniform uniform{};  ///< with the value of RenderSettings::uniforms, or of its declaration
-    bool is_integer = false;
+    bool is_integer = false;  ///< an int, not a float
 };
 /// The uniforms that the texts of the settings declare.
 /// @throws Error bad_file: a text that cannot be parsed; usage, about `uniform`: a value that no text declares so

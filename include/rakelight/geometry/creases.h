@@ -38,6 +38,7 @@ struct CreaseReport {
     bool operator==(const CreaseReport&) const = default;
 };
 
+/// Result of find_creases().
 struct Creases {
     /// [meshes][T] bit k: the edge from corner k to corner (k + 1) % 3 is hard. Edges of one face are not hard.
     std::vector<std::vector<std::uint8_t>> hard;

@@ -26,6 +26,7 @@ public:
         // As an if: GCC 12 warns of freed memory in users' code where this is a conditional expression.
         if (!values.empty()) storage_ = new Storage(std::move(values), std::move(charge));
     }
+    /// A block of these values, without a charge.
     Block(std::initializer_list<T> values) : Block(std::vector<T>(values)) {}
     Block(const Block& other) noexcept : storage_(other.storage_) {
         if (storage_) storage_->owners.fetch_add(1, std::memory_order_relaxed);

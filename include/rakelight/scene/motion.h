@@ -33,9 +33,11 @@ RL_API ClipSpan clip_span(const Animation& animation);
 /// Interpolation as in glTF 2.0, appendix C: step, linear (rotations along the shorter arc), or cubic Hermite splines.
 /// If several clips animate one property, the last clip applies. Meshes are shared; the cost depends on the number of
 /// channels only.
-/// @param memory  that morph weights are charged to; without it, to a budget of their own with the default limit
+/// Morph weights are charged to a budget of their own with the default limit.
 /// @throws Error usage: no such clip, a non-finite time; bad_file: see validate(), over the memory budget
 RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips);
+/// The same.
+/// @param memory  that morph weights are charged to
 RL_API Scene scene_at(Scene scene, std::span<const ClipTime> clips, MemoryBudget& memory);
 /// The same for a scene without its clips, which are these. The result has the clips that are shown alone: of a character
 /// with a hundred clips a copy of all takes as long as its pose.
