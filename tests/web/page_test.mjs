@@ -32,7 +32,7 @@ test('an example opens: its line, its list of borders, its picture', options, as
     const { page, url } = it;
     await openExample(page, url, 'spot');
     const report = await inspect(await example('spot/spot_slab5.glb'));
-    assert.equal(await text(page, 'headline'), `4 borders, largest ${report.rows[0].seams.seam_deg.toFixed(1)}°`);
+    assert.equal(await text(page, 'headline'), `4 borders with a seam, largest ${report.rows[0].seams.seam_deg.toFixed(1)}°`);
     assert.equal(await page.locator('#borders button').count(), report.rows[0].borders.length);
     assert.match(await page.locator('#borders button').first().textContent(), /part0 – part1\s*30\.3°/);
 });
@@ -84,7 +84,7 @@ test('Fix gives the file that the program writes; a line divides before and afte
     const { page } = it, before = await picture(page);
     await page.click('#fix');
     await page.waitForSelector('#download:not([hidden])');
-    assert.equal(await text(page, 'headline'), 'Seams fixed');
+    assert.equal(await text(page, 'headline'), 'Seams fixed: 30.3° → 0.00°');
     const half = await picture(page);
     await page.locator('#line').press('End');
     assert.equal(await psnr(before, await picture(page)), Infinity, 'all of it is before');
@@ -93,7 +93,7 @@ test('Fix gives the file that the program writes; a line divides before and afte
     assert.ok(await psnr(before, fixed) < 45, `${await psnr(before, fixed)} dB`);
     assert.ok(await psnr(half, fixed) > await psnr(before, fixed));
     const { name, bytes } = await downloaded(page), own = await smooth({ name: 'spot_slab5.glb', bytes: await example('spot/spot_slab5.glb') });
-    assert.equal(name, 'spot_slab5.glb');
+    assert.equal(name, 'spot_slab5-smooth.glb');
     assert.ok(bytes.equals(Buffer.from(own.bytes)));
 });
 
@@ -110,11 +110,11 @@ test('a model with its materials and textures is dropped and comes back as an ar
     const { page } = it, names = ['head.obj', 'head.mtl', 'color.jpg', 'normal_from_bump.png'];
     const files = Object.fromEntries(await Promise.all(names.map(async name => [name, await example(`head/${name}`)])));
     await drop(page, files);
-    assert.equal(await text(page, 'headline'), '11 borders, largest 40.8°');
+    assert.equal(await text(page, 'headline'), '11 borders with a seam, largest 40.8°');
     await page.click('#fix');
     await page.waitForSelector('#download:not([hidden])');
     const { name, bytes } = await downloaded(page), own = await smooth({ name: 'head.obj', bytes: files['head.obj'], files });
-    assert.equal(name, 'head.zip');
+    assert.equal(name, 'head-smooth.zip');
     for (const [path, content] of Object.entries(own.files)) {
         assert.ok(bytes.includes(Buffer.from(path === 'model.obj' ? 'head.obj' : path)), path);
         assert.ok(bytes.includes(Buffer.from(content)), `the bytes of ${path}`);
@@ -125,10 +125,10 @@ test('STL and PLY come in, too', options, async () => {
     const { page } = it;
     const stl = 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n';
     await drop(page, { 'one.stl': Buffer.from(stl) });
-    assert.match(await text(page, 'detail'), /one\.stl: 1 object, 1 triangle$/);
+    assert.match(await text(page, 'detail'), /one\.stl: 1 object, 1 triangle/);
     const ply = 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
     await drop(page, { 'two.ply': Buffer.from(ply) });
-    assert.match(await text(page, 'detail'), /two\.ply: 1 object, 1 triangle$/);
+    assert.match(await text(page, 'detail'), /two\.ply: 1 object, 1 triangle/);
 });
 
 test('what is no model gives one clear line, and the page keeps the model before', options, async () => {
@@ -171,7 +171,7 @@ test('two lighting models are compared on both sides of the line', options, asyn
     await page.click('#tab-look');
     await page.selectOption('#set-second', 'phong');
     await settled(page);
-    assert.equal(await text(page, 'right-name'), 'phong');
+    assert.equal(await text(page, 'right-name'), 'Phong');
     assert.ok(await psnr(one, await picture(page)) < 45);
     await page.selectOption('#set-second', '');
     assert.equal(await psnr(one, await picture(page)), Infinity);
@@ -185,6 +185,8 @@ test('a click explains a pixel with the numbers of the program', options, async 
     const bytes = await example('spot/spot_slab5.glb'), resolution = [Math.round(box.width), Math.round(box.height)];
     const report = await explain(bytes, { resolution, pixel: [x, y], background: '#15171c', normals: 'object' });
     assert.deepEqual(codes, report.rows[0].codes);
+    assert.match(await text(page, 'pixel-short'), /^In short: /);
+    assert.ok(await page.locator('#cross').isVisible());
     const said = await text(page, 'pixel-text');
     for (const words of ['shows object', 'Triangles that cover the pixel', `sRGB code  ${codes.join(' ')}`]) assert.ok(said.includes(words), words);
 });
@@ -225,8 +227,26 @@ test('settings of normals keep the camera, and Fix uses them', options, async ()
     assert.ok(bytes.equals(Buffer.from(own.bytes)));
     await page.selectOption('#set-weight', 'auto');
     await settled(page);
-    assert.equal(await text(page, 'headline'), 'Seams fixed', 'by the new settings');
+    assert.match(await text(page, 'headline'), /^Seams fixed/, 'by the new settings');
     await page.click('#whole');
+});
+
+test('parts across a gap are joined where it is asked for', options, async () => {
+    const { page } = it;
+    const half = (x, sign) => `o half${x}\nv ${x} 0 0\nv ${x} 1 0\nv ${x} 2 0\nv ${x + sign} 0 -0.3\nv ${x + sign} 1 -0.3\nv ${x + sign} 2 -0.3\n`;
+    const faces = sign => (sign > 0 ? 'f -6 -3 -2 -5\nf -5 -2 -1 -4\n' : 'f -3 -6 -5 -2\nf -2 -5 -4 -1\n');
+    await drop(page, { 'gap.obj': Buffer.from(half(0.001, 1) + faces(1) + half(-0.001, -1) + faces(-1)) });
+    assert.match(await text(page, 'gaps-text'), /^Join parts across gaps up to 0\.00\d+ units: seams there have \d/);
+    const own = await smooth({ name: 'gap.obj', bytes: Buffer.from(half(0.001, 1) + faces(1) + half(-0.001, -1) + faces(-1)) }, { borderDistance: await page.evaluate(() => document.getElementById('gaps-text').textContent.match(/[\d.]+/)[0]) });
+    await page.check('#join-gaps');
+    await settled(page);
+    await page.click('#fix');
+    await page.waitForSelector('#download:not([hidden])');
+    const { bytes } = await downloaded(page);
+    assert.ok(bytes.equals(Buffer.from(own.bytes)));
+    await openExample(page, it.url, 'spot');
+    await page.click('#fix');
+    await page.waitForSelector('#download:not([hidden])');
 });
 
 test('a broken file takes nothing away from the model on the page', options, async () => {
@@ -241,7 +261,7 @@ test('of two drops the later one counts', options, async () => {
     const { page } = it, spot = await example('spot/spot_slab5.glb'), wall = await example('wall/wall.obj');
     await Promise.all([drop(page, { 'first.glb': spot }), drop(page, { 'second.obj': wall })]);
     await settled(page);
-    assert.match(await text(page, 'detail'), /^second\.obj: 1 object, 2 triangles$/);
+    assert.match(await text(page, 'detail'), /^second\.obj: 1 object, 2 triangles/);
 });
 
 test('a lost context comes back, and the picture with it', options, async () => {

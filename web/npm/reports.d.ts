@@ -108,6 +108,8 @@ export interface InspectRow extends Row {
     /** The largest seam first. */
     borders: Border[];
     borders_left_out: number;
+    /** Where open borders of different parts run along each other: the option `borderDistance` that joins them. [m] and degrees. */
+    border_proposal?: { distance: number; open_length: number; matched_length: number; gap_max: number; seam_deg: number };
     /** Of the option `check`. */
     check?: Check;
 }

@@ -9,6 +9,13 @@
 #include "../../apps/viewer/view/overlay.h"
 
 namespace rakelight::web {
+namespace {
+
+/// Surfaces are looked at for near borders alone, which takes as long as all else.
+constexpr std::uint64_t most_for_surfaces = 500'000;
+
+}  // namespace
+
 PrepareOptions as_measured(const Scene& scene, PrepareOptions options) {
     const bool has_normals =
         std::ranges::any_of(scene.meshes, [](const Mesh& mesh) { return !mesh.normals.empty() || mesh.normal_choice; });
@@ -29,7 +36,7 @@ std::shared_ptr<const ExaminedModel> examine(std::shared_ptr<const viewer::Model
     examined->model = std::move(model);
     PictureRequest request = examined->model->request;
     read_render_keys(settings, request);
-    InspectOptions options{.surfaces = false, .seam_lines = true};
+    InspectOptions options{.surfaces = examined->model->triangles <= most_for_surfaces, .seam_lines = true};
     options.prepare = request.prepare;
     options.weld_distance = request.prepare.weld_distance;
     options.border_distance = request.prepare.border_distance;

@@ -6,18 +6,20 @@ import { get, make } from './elements.js';
 const mostListed = 200;
 const legendDegrees = [0.01, 1, 5, 20, 60];  // as in the heat maps of the program
 
-const angleText = (degrees: number): string => (degrees >= 0.095 ? degrees.toFixed(1) : degrees.toFixed(2)) + '°';
+export const angleText = (degrees: number): string => (degrees >= 0.095 ? degrees.toFixed(1) : degrees.toFixed(2)) + '°';
 
 const plural = (count: number, one: string, many: string): string => `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
 
-/** "12 borders, largest 32.7 degrees", in parts. */
-export function headline(row: InspectRow): { text: string; detail: string; hasSeams: boolean } {
+/** "12 borders with a seam, largest 32.7°", and what is known besides. */
+export function headline(row: InspectRow): { text: string; detail: string; hasSeams: boolean; canBeFixed: boolean } {
     const { seams, objects, triangles } = row, detail = `${plural(objects.length, 'object', 'objects')}, ${plural(triangles, 'triangle', 'triangles')}`;
     const isOpen = (border: InspectRow['borders'][number] | undefined): boolean => border !== undefined && border.seam_deg > seams.continuous_within_deg;
     const open = row.borders.filter(isOpen).length + (isOpen(row.borders.at(-1)) ? row.borders_left_out : 0);  // the worst are listed
-    if (seams.missing_normals > 0) return { text: `${plural(seams.missing_normals, 'broken normal', 'broken normals')}, ${plural(open, 'border', 'borders')}, largest ${angleText(seams.seam_deg)}`, detail, hasSeams: true };
-    if (open > 0) return { text: `${plural(open, 'border', 'borders')}, largest ${angleText(seams.seam_deg)}`, detail, hasSeams: true };
-    return { text: seams.pairs > 0 ? `${plural(seams.pairs, 'border', 'borders')}, no seam` : 'no borders', detail, hasSeams: false };
+    const lacksNormals = objects.some(({ normals }) => normals !== 'yes'), broken = seams.missing_normals;
+    const seamsText = open > 0 ? `${plural(open, 'border', 'borders')} with a seam, largest ${angleText(seams.seam_deg)}` : seams.pairs > 0 ? `${plural(seams.pairs, 'border', 'borders')}, no seam` : 'No borders between parts';
+    const text = broken > 0 ? `${plural(broken, 'broken normal', 'broken normals')}; ${seamsText.toLowerCase()}` : seamsText;
+    const hasSeams = open > 0 || broken > 0;
+    return { text, detail: lacksNormals ? `${detail}, without normals` : detail, hasSeams, canBeFixed: hasSeams || lacksNormals };
 }
 
 const nameOf = (row: InspectRow, object: number): string => row.objects[object]?.name || `object ${object + 1}`;
@@ -27,7 +29,7 @@ export function listBorders(row: InspectRow, fly: (border: number) => void): voi
     const list = get('borders');
     const items = row.borders.slice(0, mostListed).map((border, number) => {
         const a = nameOf(row, border.object_a), b = nameOf(row, border.object_b), isSeam = border.seam_deg > row.seams.continuous_within_deg;
-        const angle = isSeam ? angleText(border.seam_deg) : 'closed';
+        const angle = isSeam ? angleText(border.seam_deg) : 'no seam';
         const button = make('button', { type: 'button', class: isSeam ? 'border seam' : 'border', title: `Show the border of ${a} and ${b}` },
             make('span', { class: 'names' }, border.object_a === border.object_b ? `${a}: its parts` : `${a} – ${b}`),
             make('span', { class: 'angle' }, angle));

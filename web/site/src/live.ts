@@ -28,7 +28,7 @@ async function enliven(image: HTMLImageElement, figure: Figure, button: HTMLButt
     image.after(live);
     button.hidden = true;
     const engine = new Engine({ progress: () => {}, context: state => { if (state === 'gone') void engine.call('useSoft', stage.renew()).then(() => stage.draw(), tell); else if (state === 'there') stage.draw(); } });
-    const stage = new Stage(engine, room, make('div'), { click: () => {}, fault: tell, slow: () => {} });
+    const stage = new Stage(engine, room, make('div'), { click: () => {}, fault: tell, slow: () => {}, moved: () => {} });
     stage.wheelNeedsFocus = true;
     const show = async (number: number): Promise<void> => {
         const settings = { background: themeColor(), ...figure.common, ...figure.variants[number]![1] };

@@ -3,12 +3,12 @@
 import { zipSync } from 'fflate';
 
 import type { InspectRow } from '../../npm/reports.js';
-import { drawLegend, headline, legendAngles, listBorders } from './borders.js';
+import { angleText, drawLegend, headline, legendAngles, listBorders } from './borders.js';
 import { get, make } from './elements.js';
 import { Cancelled, Engine, EngineError } from './engine.js';
 import { examples, filesOfExample } from './examples.js';
 import { accepted, dropped, modelOf, modelsIn, ofList } from './files.js';
-import { showExplanation } from './pixel.js';
+import { forgetExplanation, showExplanation } from './pixel.js';
 import type { ContextState, Model, ModelFile, Settings, Side } from './protocol.js';
 import { makePanel } from './settings.js';
 import { Stage } from './stage.js';
@@ -17,6 +17,7 @@ import { changeTheme, themeColor } from './theme.js';
 const docs = document.getElementById('docs') ? 'docs/' : '';  // '': the page was built without its documentation
 const slowAfterMs = 400;  // when a cancel button appears
 const flightMs = 450;
+const patienceMs = 1000;  // with work on a model that another one replaces
 const messageMs = 8000;   // how long a remark is shown; faults stay
 
 /** What is on the page. */
@@ -25,6 +26,8 @@ interface Shown {
     report: InspectRow;
     /** The name of the example, for the link. */
     example?: string;
+    /** [m] Parts without shared vertices lie this near each other; 0: none do. */
+    gap: number;
 }
 
 let shown: Shown | undefined;
@@ -33,10 +36,11 @@ let opening = 0;   // models that were asked for so far: only the last one is sh
 let flights = 0;   // likewise
 let acting = 0;  // how much work runs that a visitor began
 let calls = 0;   // that are told of
+let busySince = 0;
 let hiding: ReturnType<typeof setTimeout> | undefined;
 
 const engine = new Engine({ progress: tellProgress, context: state => act(takeContext(state)) });
-const stage = new Stage(engine, get('stage'), get('line'), { click: (...place) => act(explain(...place)), fault: tellFault, slow: tellSlow });
+const stage = new Stage(engine, get('stage'), get('line'), { click: (...place) => act(explain(...place)), fault: tellFault, slow: tellSlow, moved: () => (get('cross').hidden = true) });
 const panel = makePanel(group => act(apply(group)));
 
 /** Work that a visitor began. */
@@ -80,6 +84,7 @@ async function busy<T>(text: string, work: () => Promise<T>): Promise<T> {
     tell('');
     get('progress-text').textContent = text;
     get<HTMLProgressElement>('progress-bar').removeAttribute('value');
+    if (calls === 0) busySince = performance.now();
     calls += 1;
     document.body.classList.add('busy');
     const slow = setTimeout(() => (get('progress').hidden = false), slowAfterMs);
@@ -120,14 +125,18 @@ async function takeContext(state: ContextState): Promise<void> {
 }
 
 /** What the page always sets: its own background. */
-const allSettings = (): Settings => ({ background: themeColor(), ...panel.settings() });
+const allSettings = (): Settings => ({
+    background: themeColor(),
+    ...panel.settings(),
+    'border-distance': shown && get<HTMLInputElement>('join-gaps').checked ? String(shown.gap) : undefined,
+});
 
 async function applyAll(): Promise<void> {
     const settings = allSettings(), second = panel.second(), line = get('line'), wasHidden = line.hidden;
     await engine.call('set', 'left', 'original', panel.channel(), settings);
     await engine.call('set', 'right', isFixed && !second ? 'fixed' : 'original', second ? '' : panel.channel(), second ? { ...settings, lighting: second } : settings);
     get('left-name').textContent = second ? 'as set' : 'before';
-    get('right-name').textContent = second ?? 'after';
+    get('right-name').textContent = second ? panel.secondTitle() : 'after';
     line.hidden = !shown || !(isFixed || second);
     if (line.hidden) stage.split = 1;
     else if (wasHidden) stage.split = 0.5;
@@ -163,32 +172,47 @@ async function open(model: Model, number: number, example?: string): Promise<boo
         return engine.call('open', model);
     });
     if (number !== opening) return false;
-    shown = example === undefined ? { model, report } : { model, report, example };
+    const gap = report.border_proposal?.distance ?? 0;
+    shown = example === undefined ? { model, report, gap } : { model, report, gap, example };
+    showGap(report);
     isFixed = false;
     flights += 1;
     get('end-raking').hidden = true;
+    forgetPixel();
+    stage.fade();
     await applyAll();
     showReport(report);
     document.body.classList.add('open');
     stage.isOpen = true;
     const remarks = report.remarks.filter(({ remark }) => remark === 'warning' || remark === 'dropped');
-    if (remarks.length > 0) tell(remarks.slice(0, 3).map(({ message }) => message).join('; '));
+    if (remarks.length > 0) tell(remarks.slice(0, 3).map(({ message }) => message).join('; ') + (remarks.length > 3 ? `; and ${remarks.length - 3} more` : ''));
     return true;
+}
+
+/** Offers to join parts across gaps, where that would close seams. */
+function showGap({ border_proposal: proposal, unit }: InspectRow): void {
+    get<HTMLInputElement>('join-gaps').checked = false;
+    get('gaps').hidden = !proposal;
+    if (proposal) get('gaps-text').textContent = `Join parts across gaps up to ${Number(proposal.distance.toPrecision(2))} ${unit}: seams there have ${angleText(proposal.seam_deg)}`;
 }
 
 /** The first screen again. */
 function close(): void {
     shown = undefined;
+    isFixed = false;
     stage.isOpen = false;
+    stage.staysCoarse = false;
     document.body.classList.remove('open');
 }
 
 function showReport(row: InspectRow): void {
-    const { text, detail, hasSeams } = headline(row), name = shown?.model.name.replace(/^.*\//, '').replace(/^builtin:/, '') ?? '';
+    const { text, detail, canBeFixed } = headline(row), name = shown?.model.name.replace(/^.*\//, '').replace(/^builtin:/, '') ?? '';
     get('headline').textContent = text;
     get('detail').textContent = `${name}: ${detail}`;
     get<HTMLButtonElement>('fix').hidden = isFixed;
-    get<HTMLButtonElement>('fix').disabled = !hasSeams && row.objects.every(({ normals }) => normals === 'yes');
+    get<HTMLButtonElement>('fix').disabled = !canBeFixed;
+    get('fix').textContent = canBeFixed ? 'Fix' : 'Nothing to fix';
+    get('borders-caption').textContent = isFixed && row.borders.length > 0 ? 'Before the fix:' : '';
     get('download').hidden = !isFixed;
     stage.describe(`${name}: ${detail}. ${text}.`);
     listBorders(row, border => act(fly(border)));
@@ -201,12 +225,17 @@ async function fix(): Promise<void> {
         const { smoothed, inspected } = await busy('Smoothing', () => engine.call('fix'));
         if (of !== shown) return;
         isFixed = true;
+        panel.clearSecond();
+        forgetPixel();
+        stage.fade();
         await applyAll();
         showReport(of.report);
         const after = headline(inspected), { seams, meshes } = smoothed, made = meshes.filter(({ normals }) => normals === 'made').length;
-        get('headline').textContent = after.hasSeams ? after.text : 'Seams fixed';
+        const change = `${angleText(of.report.seams.seam_deg)} → ${angleText(inspected.seams.seam_deg)}`;
+        get('headline').textContent = after.hasSeams ? after.text : headline(of.report).hasSeams ? `Seams fixed: ${change}` : 'Normals made';
         if (hasFocus) get('download').focus();
-        tell(seams ? `${seams.turned.toLocaleString('en')} of ${seams.normals.toLocaleString('en')} normals turned` : `normals made for ${made} ${made === 1 ? 'part' : 'parts'}`);
+        const kept = seams?.crease_pairs ? `, ${seams.crease_pairs.toLocaleString('en')} pairs of faces keep a hard edge` : '';
+        tell(seams ? `${seams.turned.toLocaleString('en')} of ${seams.normals.toLocaleString('en')} normals turned${kept}` : `normals made for ${made} ${made === 1 ? 'part' : 'parts'}`);
     } catch (fault) {
         tellFault(fault);
     }
@@ -235,9 +264,9 @@ async function download(): Promise<void> {
     try {
         const files = await engine.call('fixedFiles'), first = files[0];
         if (!first) throw new Error('there is nothing to download');
-        if (files.length === 1) return save(first.path, new Blob([first.bytes]));
+        if (files.length === 1) return save(first.path.replace(/(\.[^.]*)$/, '-smooth$1'), new Blob([first.bytes]));
         const packed = zipSync(Object.fromEntries(files.map(({ path, bytes }) => [path, bytes])), { level: 0 });
-        save(`${(shown?.model.name ?? 'model').replace(/^.*\//, '').replace(/\.[^.]*$/, '')}.zip`, new Blob([packed], { type: 'application/zip' }));
+        save(`${(shown?.model.name ?? 'model').replace(/^.*\//, '').replace(/\.[^.]*$/, '')}-smooth.zip`, new Blob([packed], { type: 'application/zip' }));
     } catch (fault) {
         tellFault(fault);
     }
@@ -254,37 +283,63 @@ async function explain(...place: [Side, number, number, number, number]): Promis
     try {
         const explanation = await busy('Explaining', () => engine.call('explain', ...place));
         showExplanation(explanation, docs);
+        mark(place[3] / place[1], place[4] / place[2]);
         choose('pixel');
     } catch (fault) {
         tellFault(fault);
     }
 }
 
+/** A cross at the pixel. @param x,y  0..1 of the picture */
+function mark(x: number, y: number): void {
+    Object.assign(get('cross').style, { left: `${100 * x}%`, top: `${100 * y}%` });
+    get('cross').hidden = false;
+}
+
+function forgetPixel(): void {
+    get('cross').hidden = true;
+    forgetExplanation();
+}
+
 let fetching = new AbortController();
 
-/** Ends what runs, by ending the worker. The model that was open is opened again, unless its picture is what takes too long. */
-async function cancel(): Promise<void> {
-    const before = calls > 0 ? shown : undefined;
+/** Ends what runs, by ending the worker; nothing is open then. */
+function breakOff(): void {
     fetching.abort();
     fetching = new AbortController();
     opening += 1;
-    isFixed = false;
     close();
     get('progress').hidden = true;
     engine.restart();
     started = start();
+    started.catch(tellFault);
+}
+
+/** Ends what runs. The model that was open is opened again; if its picture took too long, its pictures are coarse. */
+async function cancel(): Promise<void> {
+    const before = shown, wasDrawing = calls === 0;
+    breakOff();
+    if (!before) return;
     try {
-        await started;
-        if (before) await open(before.model, opening, before.example);
+        stage.staysCoarse = wasDrawing;
+        await open(before.model, opening, before.example);
+        if (wasDrawing) tell('pictures of this model stay coarse, since whole ones take long');
     } catch (fault) {
         tellFault(fault);
     }
+}
+
+/** A new model does not wait for the work on the one before. */
+function makeRoom(): void {
+    if (stage.drawsFor > patienceMs || (calls > 0 && performance.now() - busySince > patienceMs)) breakOff();
+    stage.staysCoarse = false;
 }
 
 // ---- what comes in
 
 /** @param name  of one of several models */
 async function take(files: Promise<ModelFile[]> | ModelFile[], name?: string): Promise<void> {
+    makeRoom();
     opening += 1;
     const number = opening;
     try {
@@ -307,6 +362,7 @@ function showModels(files: ModelFile[], name?: string): void {
 }
 
 async function takeExample(name: string): Promise<void> {
+    makeRoom();
     opening += 1;
     const number = opening;
     try {
@@ -361,6 +417,13 @@ function listen(): void {
             get(`tab-${next}`).focus();
         });
     });
+    get('join-gaps').addEventListener('change', () => act(apply('Normals')));
+    get('home').addEventListener('click', close);
+    get('reset').addEventListener('click', () => {
+        panel.reset();
+        act(apply('Normals'));
+    });
+    document.addEventListener('pointerdown', () => stage.stopSpinning());
     get('close-message').addEventListener('click', () => tell(''));
     get<HTMLInputElement>('file').accept = accepted;
     get('fix').addEventListener('click', () => act(fix()));

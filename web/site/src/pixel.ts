@@ -25,5 +25,12 @@ export function showExplanation({ row, text }: Explanation, docs: string): void 
     const [r, g, b] = row.codes, swatch = make('span', { class: 'swatch', role: 'img', 'aria-label': `color ${r}, ${g}, ${b}` });
     swatch.style.backgroundColor = `rgb(${r}, ${g}, ${b})`;
     get('pixel-title').replaceChildren(swatch, `Pixel ${row.pixel[0]}, ${row.pixel[1]}: ${r}, ${g}, ${b}`);
+    const paragraphs = text.split(/\n{2,}/), short = paragraphs.find(paragraph => paragraph.startsWith('In short')) ?? '';
+    get('pixel-short').textContent = short.replace(/\s+/g, ' ');
     get('pixel-text').replaceChildren(...text.split('\n').flatMap(line => [linked(line, docs), '\n']));
+}
+
+export function forgetExplanation(): void {
+    get('pixel-title').textContent = 'Click a pixel of the picture';
+    for (const id of ['pixel-short', 'pixel-text']) get(id).textContent = '';
 }

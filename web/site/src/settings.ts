@@ -63,6 +63,12 @@ export interface Panel {
     second(): string | undefined;
     /** The channel that is shown; '': the colors */
     channel(): string;
+    /** Its title; '' if there is none. */
+    secondTitle(): string;
+    /** Ends the comparison. */
+    clearSecond(): void;
+    /** All settings as at first. */
+    reset(): void;
     /** The words of the link. */
     link(): URLSearchParams;
 }
@@ -99,6 +105,7 @@ export function makePanel(change: (group: Group) => void): Panel {
     for (const { group, key, title, hint, words } of choices) add(group, key, title, hint, words);
     for (const { key, title, hint, unit, from, to, step, usual } of numbers) {
         const id = `set-${key}`, box = make('input', { id, type: 'range', min: String(from), max: String(to), step: String(step), 'aria-describedby': `${id}-hint` }), shown = make('output', { for: id });
+        box.defaultValue = String(usual);
         box.value = wanted.get(key) ?? String(usual);
         const tell = (): void => {
             shown.textContent = `${box.value}${unit}`;
@@ -112,6 +119,7 @@ export function makePanel(change: (group: Group) => void): Panel {
     add('Channels', 'channel', 'Show', 'What the picture is made of; drawn by the software rasterizer.', channels);
     add('Compare', 'second', 'Beside it', 'Another lighting model, on the right of a line.', [['', 'Nothing'], ...choices[0]!.words.slice(1)]);
 
+    get('look').append(make('button', { type: 'button', id: 'reset' }, 'All as at first'));
     const isUsual = (key: string, value: string): boolean => {
         const usual = choices.find(other => other.key === key)?.words[0]?.[0] ?? numbers.find(other => other.key === key)?.usual ?? (key === 'lights' ? 'model' : '');
         return value === String(usual);
@@ -128,6 +136,19 @@ export function makePanel(change: (group: Group) => void): Panel {
         },
         channel: () => values.get('channel') ?? '',
         second: () => values.get('second') || undefined,
+        secondTitle: () => choices[0]!.words.find(([word]) => word === values.get('second'))?.[1] ?? '',
+        clearSecond() {
+            values.set('second', '');
+            get<HTMLSelectElement>('set-second').value = '';
+        },
+        reset() {
+            for (const box of get('look').querySelectorAll<HTMLSelectElement | HTMLInputElement>('select, input')) {
+                if (box instanceof HTMLSelectElement) box.selectedIndex = 0;
+                else box.value = box.defaultValue;
+                values.set(box.id.replace(/^set-/, ''), box.value);
+                box.dispatchEvent(new Event('input'));
+            }
+        },
         link: () => new URLSearchParams([...values].filter(([key, value]) =>
             linkKeys.has(key) && !isUsual(key, value) && (key !== 'crease-angle' || values.get('crease') === 'angle'))),
     };

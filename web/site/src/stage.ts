@@ -20,6 +20,8 @@ export interface StageEvents {
     /** [px] of the picture, and in it */
     click(side: Side, width: number, height: number, x: number, y: number): void;
     fault(fault: unknown): void;
+    /** What was at a place of the picture is elsewhere. */
+    moved(): void;
     /** A picture takes long, or has come at last. */
     slow(isSlow: boolean): void;
 }
@@ -27,12 +29,15 @@ export interface StageEvents {
 export class Stage {
     /** Where a document scrolls by the wheel: the canvas takes it only after a click. */
     wheelNeedsFocus = false;
+    /** Pictures stay coarse: whole ones take too long. */
+    staysCoarse = false;
     seams = false;
     hardEdges = false;
     /** 0..1 where the right picture begins; 1: there is none */
     #split = 1;
     #canvas!: HTMLCanvasElement;
     #pictures = 0;
+    #drawingSince = 0;
     #isDrawing = false;
     #isWanted = false;
     #movedAt = -Infinity;
@@ -61,6 +66,12 @@ export class Stage {
         return this.#canvas.transferControlToOffscreen();
     }
 
+    /** [ms] for how long the picture that comes next is already drawn. */
+    get drawsFor(): number { return this.#isDrawing ? performance.now() - this.#drawingSince : 0; }
+
+    /** The picture is of something else, until the next one is there. */
+    fade(): void { this.#canvas.classList.add('stale'); }
+
     /** Whether what was asked for is drawn. */
     get isIdle(): boolean { return !this.#isDrawing && !this.#isWanted && performance.now() - this.#movedAt > 2 * stillAfterMs; }
 
@@ -81,7 +92,10 @@ export class Stage {
 
     /** Soon; many wishes become one picture. */
     draw(isMoving = false): void {
-        if (isMoving) this.#movedAt = performance.now();
+        if (isMoving) {
+            this.#movedAt = performance.now();
+            this.events.moved();
+        }
         if (!this.#isOpen) return;
         this.#isWanted = true;
         if (!this.#isDrawing) void this.#drawAll();
@@ -91,12 +105,14 @@ export class Stage {
         this.#isDrawing = true;
         while (this.#isWanted && this.#isOpen) {
             this.#isWanted = false;
-            const isMoving = performance.now() - this.#movedAt < stillAfterMs;
+            const isMoving = this.staysCoarse || performance.now() - this.#movedAt < stillAfterMs;
+            this.#drawingSince = performance.now();
             const slow = setTimeout(() => this.events.slow(true), slowAfterMs);
             try {
                 const { took, isCoarse } = await this.engine.call('draw', { ...this.#size(), split: this.#split, seams: this.seams, hardEdges: this.hardEdges, isMoving });
                 Object.assign(this.#canvas.dataset, { pictures: String(++this.#pictures), ms: took.toFixed(1) });  // tests wait for them
                 if (isCoarse) this.#isWanted = true;
+                this.#canvas.classList.remove('stale');
             } catch (fault) {
                 if (fault instanceof Cancelled) return;
                 this.events.fault(fault);
@@ -105,7 +121,7 @@ export class Stage {
                 this.events.slow(false);
             }
             await new Promise(requestAnimationFrame);
-            if (isMoving && !this.#isWanted) setTimeout(() => this.draw(), stillAfterMs);
+            if (isMoving && !this.staysCoarse && !this.#isWanted) setTimeout(() => this.draw(), stillAfterMs);
         }
         this.#isDrawing = false;
     }

@@ -241,7 +241,7 @@ const calls: { [name in CallName]: (...given: Parameters<Calls[name]>) => Return
     endRakingLight: () => run('rl_end_raking_light'),
     explain(side, width, height, x, y) {
         const explained = row<ExplainRow>('rl_explain', sideNumber(side), width, height, x, y);
-        return { row: explained, text: text('rl_explain_text') };
+        return { row: explained, text: text('rl_explain_text').replace(/\/(model|fixed)\/\d+\//g, '') };
     },
     heatColors: degrees => degrees.map(angle => `#${(module.ccall('rl_heat_color', 'number', ['number'], [angle]) as number).toString(16).padStart(6, '0')}`),
     memory: () => ({ bytes: module.HEAPU8.byteLength, files: filesBelow('/model').length + filesBelow('/fixed').length, objects: objectCount() }),
