@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The creases of a prepared scene as lines: what the rule of creases, or an angle, decided.
+// The creases of a prepared scene as lines: what the rule of creases, or an angle, decided at edges that bend.
 #pragma once
 #include <vector>
 
@@ -8,7 +8,8 @@
 
 namespace rakelight::web {
 
-/// Edges of two faces of one object whose normals differ; at most `most`.
+/// Edges of two faces of one object; at most `most`. Orange: hard, the normals differ. Blue: smooth, though the faces bend by
+/// 30 degrees or more.
 std::vector<Line> hard_edge_lines(const Scene& prepared, std::size_t most = 100'000);
 
 }  // namespace rakelight::web

@@ -442,6 +442,7 @@ function listen(): void {
         get<HTMLInputElement>(id).addEventListener('change', event => {
             stage[mark] = (event.target as HTMLInputElement).checked;
             get('legend').hidden = !stage.seams;
+            get('edge-legend').hidden = !stage.hardEdges;
             stage.draw();
         });
     for (const id of ['file', 'folder']) {
