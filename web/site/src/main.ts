@@ -179,6 +179,7 @@ async function open(model: Model, number: number, example?: string): Promise<boo
     flights += 1;
     get('end-raking').hidden = true;
     forgetPixel();
+    if (!get('pixel').hidden) choose('seams');
     stage.fade();
     await applyAll();
     showReport(report);
@@ -202,13 +203,15 @@ function close(): void {
     isFixed = false;
     stage.isOpen = false;
     stage.staysCoarse = false;
+    forgetPixel();
+    tell('');
     document.body.classList.remove('open');
 }
 
 function showReport(row: InspectRow): void {
     const { text, detail, canBeFixed } = headline(row), name = shown?.model.name.replace(/^.*\//, '').replace(/^builtin:/, '') ?? '';
     get('headline').textContent = text;
-    get('detail').textContent = `${name}: ${detail}`;
+    get('detail').textContent = isFixed ? name : `${name}: ${detail}`;
     get<HTMLButtonElement>('fix').hidden = isFixed;
     get<HTMLButtonElement>('fix').disabled = !canBeFixed;
     get('fix').textContent = canBeFixed ? 'Fix' : 'Nothing to fix';
@@ -285,6 +288,7 @@ async function explain(...place: [Side, number, number, number, number]): Promis
         showExplanation(explanation, docs);
         mark(place[3] / place[1], place[4] / place[2]);
         choose('pixel');
+        get('pixel-short').scrollIntoView({ block: 'nearest' });
     } catch (fault) {
         tellFault(fault);
     }
