@@ -35,7 +35,7 @@ const flags = {
 export async function open({ engine = 'webgl', width = 960, height = 640, ...options } = {}) {
     const server = createServer(answer).listen(0, '127.0.0.1');
     await new Promise(resolve => server.once('listening', resolve));
-    const app = await chromium.launch({ executablePath: browser, args: ['--no-sandbox', ...flags[engine]] });
+    const app = await chromium.launch({ executablePath: browser, args: ['--no-sandbox', '--disable-dev-shm-usage', ...flags[engine]] });
     const context = await app.newContext({ viewport: { width, height }, reducedMotion: 'reduce', colorScheme: 'dark', acceptDownloads: true, ...options });
     const page = await context.newPage(), problems = [], requests = [];
     page.on('console', message => ['error', 'warning'].includes(message.type()) && problems.push(message.text()));
