@@ -134,6 +134,23 @@ std::string dark_because(const ExplainedPixel& e, const ShadedLayer& layer) {
     return text;
 }
 
+/// The strongest light, if something keeps it away from a pixel that others light; else empty.
+std::string missing_light(const ExplainedPixel& e, const ShadedLayer& layer) {
+    const std::vector<Light>& lights = e.engine->list().scene.lights;
+    std::size_t strongest = lights.size();
+    double most = 0;
+    for (std::size_t i = 0; i < lights.size() && !layer.is_unlit; ++i) {
+        const std::vector<const TracedLight*> places = places_of(layer, i);
+        if (places.empty() || lights[i].type == LightType::ambient) continue;
+        const float(&own)[3] = places[0]->own_diffuse;
+        const double power = shading::luminance_of(dvec3{double(own[0]), double(own[1]), double(own[2])});
+        if (power > most) strongest = i, most = power;
+    }
+    if (strongest == lights.size()) return {};
+    const std::string why = what_keeps_away(lights[strongest], places_of(layer, strongest));
+    return why.empty() ? std::string() : "the strongest light, " + name_of_light(e, strongest) + ", " + why;
+}
+
 std::string percent(double share) { return digits(int(std::lround(100 * share))) + " %"; }
 
 }  // namespace
@@ -160,6 +177,8 @@ std::string conclusion_text(const ExplainedPixel& e) {
     if (is_dark) text += (sum > 0 ? "dark" : "black") + (because.empty() ? "" : ", because " + because);
     if (is_dark && sum > 0) text += "; ";
     if (sum > 0) text += percent(largest->luminance / sum) + " of its light is " + largest->name;
+    if (const std::string missing = is_dark ? std::string() : missing_light(e, layer); !missing.empty())
+        text += "; " + missing;
     return text + ".\n";
 }
 

@@ -166,6 +166,10 @@ TEST(Explain, TheLastLineSaysWhichTermMakesMostOfThePixel) {
     const Light sun = directional({0, 0, -1}, {0.75f, 0.75f, 0.75f});
     EXPECT_EQ(conclusion(lit_square({around, sun})),
               "75 % of its light is the diffuse term of light 1 (directional).\n");
+    EXPECT_EQ(
+        conclusion(lit_square({around, directional({0, 0, 1}, {2, 2, 2})})),
+        "100 % of its light is the ambient term of light 0 (ambient, sky); the strongest light, 1 (directional), is "
+        "below the surface (n.l <= 0).\n");
     EXPECT_EQ(conclusion(lit_square({around})), "100 % of its light is the ambient term of light 0 (ambient, sky).\n");
     EXPECT_EQ(conclusion(lit_square({sun}), false, 0), "the background.\n");
     Scene glass = lit_square({sun});
