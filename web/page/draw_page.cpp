@@ -8,7 +8,6 @@
 
 #include <rakelight/render/render.h>
 
-#include "../../apps/viewer/view/overlay.h"
 #include "hard_edges.h"
 #include "page.h"
 #include "paint_lines.h"

@@ -54,17 +54,15 @@ const channels: ReadonlyArray<readonly [string, string]> = [
     ['object', 'Objects'], ['material', 'Materials'], ['triangle', 'Triangles'], ['base-color', 'Base color'], ['diffuse', 'Diffuse light'], ['specular', 'Specular light'],
 ];
 
-const linkKeys = new Set([...choices.map(({ key }) => key), ...numbers.map(({ key }) => key as string), 'lights', 'channel', 'second', 'model']);
-
 export interface Panel {
     /** All settings, as keys of [render]. */
     settings(): Settings;
     /** The lighting model of the right picture; undefined: no comparison */
     second(): string | undefined;
+    /** Its title; '': there is none. */
+    secondTitle(): string;
     /** The channel that is shown; '': the colors */
     channel(): string;
-    /** Its title; '' if there is none. */
-    secondTitle(): string;
     /** Ends the comparison. */
     clearSecond(): void;
     /** All settings as at first. */
@@ -150,6 +148,6 @@ export function makePanel(change: (group: Group) => void): Panel {
             }
         },
         link: () => new URLSearchParams([...values].filter(([key, value]) =>
-            linkKeys.has(key) && !isUsual(key, value) && (key !== 'crease-angle' || values.get('crease') === 'angle'))),
+            !isUsual(key, value) && (key !== 'crease-angle' || values.get('crease') === 'angle'))),
     };
 }
